@@ -1,5 +1,5 @@
-//! By how much each expression displaces the landmarks of a face: reads 468 positions in metres as JSON from the standard input, or
-//! takes the canonical face where there are none, and writes `{"expression": [[x, y, z], …], …}` for a renderer to look at.
+//! Writes the displacements of a face's landmarks by each expression as JSON: `{"expression": [[x, y, z], …], …}`.
+//! Reads 468 positions in metres as JSON from standard input; empty input selects the canonical face.
 
 use std::io::Read;
 
@@ -18,8 +18,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut expressions = Expressions::new(&positions_m)?;
     let mut file = Map::new();
     for expression in Expression::ALL {
-        let ways = expressions.displacement(expression)?;
-        file.insert(expression.id().into(), ways.iter().map(|way| json!(way.to_array())).collect());
+        let displacements = expressions.displacement(expression)?;
+        file.insert(
+            expression.id().into(),
+            displacements.iter().map(|displacement| json!(displacement.to_array())).collect(),
+        );
     }
     eprintln!("{} expressions in {:?}", file.len(), started.elapsed());
     println!("{}", Value::from(file));

@@ -1,9 +1,9 @@
-//! A head with a known texture, photographed from five sides, and the textures made from each photo: PNGs into a folder.
+//! Photographs a head with a known texture from five directions and writes PNGs of the photos and textures to a folder.
 //!
 //! ```sh
 //! cargo run --release -p rosto-studio --example texture_sheet -- textures
 //! ```
-#![allow(clippy::unwrap_used, reason = "what is shared with the tests unwraps")]
+#![allow(clippy::unwrap_used, reason = "the module shared with the tests unwraps")]
 
 #[allow(dead_code, reason = "shared with the tests")]
 #[path = "../tests/theorems/faces.rs"]
@@ -23,7 +23,7 @@ use texture_truth::{DISTANCE_M, Head, face};
 
 const SIDE_PX: u32 = 2048;
 const TURNS_DEG: [f64; 5] = [0.0, 20.0, -20.0, 40.0, -40.0];
-/// Sides from which the textures are shown.
+/// Angles from which the textured head is shown.
 const SIDES_DEG: [f64; 2] = [-45.0, 45.0];
 
 type Result<T = ()> = std::result::Result<T, Box<dyn std::error::Error>>;

@@ -3,135 +3,135 @@ use rosto_laplacian::{ConstraintKind, Operator};
 
 use crate::Expression;
 
-/// One change to the mesh, as the history keeps it.
+/// A change to the mesh, as stored in the history.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
-    /// Moves handles; the rest follows by δ-coordinates.
+    /// Moves handles; the other vertices follow through their δ-coordinates.
     Move {
-        /// Which vertices are moved, and how the rest follows.
+        /// The handles and the edit's settings.
         spec: EditSpec,
-        /// One offset for each handle of the spec, in the document's unit.
+        /// Offset of each handle, in the document's unit; same order as `spec.handles`.
         offsets: Vec<DVec3>,
     },
-    /// Brings the two sides of the face closer to each other.
+    /// Moves both sides of the face towards symmetry.
     Symmetrise {
-        /// 0 changes nothing; 1 leaves both sides mirror images.
+        /// 0 changes nothing; 1 makes the sides mirror images.
         share: f64,
     },
-    /// Adds to how far the face shows an expression. What it moves depends on the face at rest alone, so that the weights of
-    /// several such commands add up.
+    /// Adds an expression. The displacement depends only on the face at rest, so the weights of several such commands
+    /// add up.
     Express {
-        /// Which one.
+        /// The expression.
         expression: Expression,
-        /// −1..=1: 1 is all of it, and −1 takes that back.
+        /// −1..=1: 1 is the full expression; −1 cancels a weight of 1.
         weight: f64,
     },
 }
 
-/// Vertices taken hold of together, and how the rest of the mesh is to follow them.
+/// Vertices that an edit moves together, and how the rest of the mesh follows.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct EditSpec {
-    /// How often the mesh that the handles belong to was subdivided: 0 is the cage itself. What is moved there is carried
-    /// over to the denser meshes.
+    /// Subdivision level of the mesh that the handles belong to; 0 is the cage. The edit is interpolated to denser
+    /// meshes.
     pub level: u32,
-    /// The vertices that are moved, each once.
+    /// The moved vertices, without repeats.
     pub handles: Vec<u32>,
-    /// How the rest follows.
+    /// How the other vertices follow.
     pub settings: Settings,
 }
 
-/// How the mesh follows its handles. The default is the paper's edit, with the face's oval for anchors.
+/// How the mesh follows its handles. The default is the paper's edit, with the face's oval as anchors.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Settings {
-    /// The Laplacian, over the mesh at rest.
+    /// The discrete Laplacian of the mesh at rest.
     pub operator: Operator,
-    /// How firmly handles and anchors are held.
+    /// How firmly handles and anchors are held: soft with a weight, or hard.
     pub constraint: ConstraintKind,
-    /// What stays in place.
+    /// The vertices that stay in place.
     pub anchors: Anchors,
-    /// How far the edit reaches.
+    /// The region that the edit affects.
     pub influence: RegionOfInfluence,
-    /// Whether the other side of the face takes part.
+    /// Whether the edit is mirrored to the other side of the face.
     pub mirror: Mirror,
-    /// Whether details turn with the surface.
+    /// Whether details rotate with the surface.
     pub details: Details,
 }
 
-/// What stays in place while handles move.
+/// Vertices that stay in place while handles move.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Anchors {
-    /// Anchors that a rule names.
+    /// The rule that selects anchors.
     pub kind: AnchorKind,
-    /// Anchors named one by one, beside those of the rule.
+    /// Anchors set one by one, in addition to those of the rule.
     pub pins: Vec<u32>,
 }
 
 impl Anchors {
-    /// Exactly these vertices.
+    /// Anchors at exactly these vertices.
     pub fn explicit(pins: Vec<u32>) -> Self {
         Self { kind: AnchorKind::PinsOnly, pins }
     }
 
-    /// The paper's: two random vertices that are not handles; the same for the same seed.
+    /// The paper's anchors: two random vertices that are not handles. The same seed gives the same vertices.
     pub fn random(seed: u64) -> Self {
         Self { kind: AnchorKind::Random { seed }, pins: Vec::new() }
     }
 }
 
-/// A rule that names anchors. A handle is never an anchor by rule.
+/// A rule that selects anchors. The rule skips handles.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum AnchorKind {
-    /// No rule: only what is pinned.
+    /// No rule: pins only.
     PinsOnly,
     /// Two random vertices.
     Random {
-        /// The same seed gives the same two.
+        /// Seed of the selection.
         seed: u64,
     },
-    /// The face's oval, or the mesh's longest boundary if it is no face.
+    /// The face's oval, or the longest boundary if the mesh is not a face.
     #[default]
     Oval,
-    /// Everything further from the handles than this.
+    /// Vertices farther from the handles than `radius`.
     Outside {
-        /// Along the surface at rest, in the document's unit.
+        /// Distance along the surface at rest, in the document's unit.
         radius: f64,
     },
 }
 
-/// How far an edit reaches.
+/// The region that an edit affects.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum RegionOfInfluence {
-    /// Over the whole mesh.
+    /// The whole mesh.
     #[default]
     Whole,
-    /// Fading out smoothly; nothing further from the handles than this moves.
+    /// Smooth falloff from the handles; vertices farther than `radius` do not move.
     Within {
-        /// Along the surface at rest, in the document's unit.
+        /// Distance along the surface at rest, in the document's unit.
         radius: f64,
     },
 }
 
 rosto_mesh::named! {
-    /// Whether details turn with the surface around them.
+    /// Whether details rotate with the surface around them.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Details {
         /// They keep their direction: δ-coordinates as in the paper.
         #[default]
         Kept = "kept",
-        /// They turn: as rigid as possible. Solved anew for every offset, so that a tick costs several solves.
+        /// They rotate: as rigid as possible. Each offset needs a nonlinear solution, so a tick costs several solves.
         AsRigidAsPossible = "turned",
     }
 }
 
 rosto_mesh::named! {
-    /// Whether the other side of the face takes part in an edit.
+    /// Whether an edit is mirrored to the other side of the face.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Mirror {
-        /// Each side is on its own.
+        /// The sides are independent.
         #[default]
         Off = "off",
-        /// Partners move by the mirrored offset, and vertices of the midline stay in its plane. It is the change that is
-        /// mirrored and not the shape, so that natural asymmetry survives.
+        /// Partners move by the mirrored offset, and vertices on the midline stay in its plane. The change is mirrored,
+        /// not the shape, so natural asymmetry is preserved.
         On = "on",
     }
 }

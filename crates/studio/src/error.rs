@@ -3,20 +3,20 @@ use rosto_texture::TextureError;
 use rosto_warp::WarpError;
 use thiserror::Error;
 
-/// Why a command cannot be carried out. The document is as it was before.
+/// Why a command cannot be applied. The document is unchanged.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StudioError {
-    /// The edit has no answer.
+    /// The edit has no solution.
     #[error(transparent)]
     Laplacian(#[from] LaplacianError),
     /// The photo cannot be warped.
     #[error(transparent)]
     Warp(#[from] WarpError),
-    /// There is no such texture.
+    /// The texture cannot be made.
     #[error(transparent)]
     Texture(#[from] TextureError),
-    /// There is not one offset for each handle.
+    /// The number of offsets differs from the number of handles.
     #[error("{found} offsets for {expected} handles")]
     WrongOffsetCount {
         /// Number of handles.
@@ -24,84 +24,84 @@ pub enum StudioError {
         /// Number of offsets given.
         found: usize,
     },
-    /// An offset is infinite or not a number.
+    /// An offset is infinite or NaN.
     #[error("the offset of handle {handle} is not a finite number")]
     OffsetNotFinite {
         /// The handle.
         handle: u32,
     },
     /// The share of a symmetrisation is outside 0..=1.
-    #[error("the share must lie between 0 and 1, not at {share}")]
+    #[error("the share must be between 0 and 1, but it is {share}")]
     Share {
-        /// The share given.
+        /// The given share.
         share: f64,
     },
-    /// The document's coordinates have no mirror plane, or its triangles no mirror image.
-    #[error("only a face in the model's own frame, with triangles that are their own mirror image, can be mirrored")]
+    /// The document's coordinates have no mirror plane, or its triangles are not symmetric.
+    #[error("only a face in the model's frame with symmetric triangles can be mirrored")]
     NoMirror,
-    /// The mesh is no face in the model's own frame, and so has no expressions.
-    #[error("only a face of 468 landmarks in the model's own frame has expressions, not a mesh of {vertex_count}")]
+    /// The mesh is not a face in the model's frame and has no expressions.
+    #[error("expressions need a face of 468 landmarks in the model's frame; this mesh has {vertex_count} vertices")]
     NoExpressions {
-        /// How many vertices it has.
+        /// Number of vertices of the mesh.
         vertex_count: usize,
     },
-    /// An expression's weight is beyond what it may be, or not a number.
-    #[error("an expression's weight must lie between -1 and 1, not at {weight}")]
+    /// An expression's weight is outside −1..=1 or NaN.
+    #[error("an expression's weight must be between -1 and 1, but it is {weight}")]
     Weight {
-        /// The weight given.
+        /// The given weight.
         weight: f64,
     },
-    /// A spec is meant for a denser mesh than the one there is.
-    #[error("the edit is meant for {level} subdivisions, and the mesh has {density}")]
+    /// The spec belongs to a denser mesh than the displayed one.
+    #[error("the edit needs {level} subdivisions, but the mesh has {density}")]
     TooCoarse {
         /// The spec's level.
         level: u32,
         /// The document's density.
         density: u32,
     },
-    /// A mesh is asked for that is denser than any that is shown.
-    #[error("{level} subdivisions are more than the {most} there are")]
+    /// The requested density exceeds the maximum.
+    #[error("{level} subdivisions are too many; the maximum is {most}")]
     TooDense {
-        /// How often the mesh was to be subdivided.
+        /// The requested subdivision level.
         level: u32,
-        /// How often it can be.
+        /// The highest level.
         most: u32,
     },
-    /// More vertices are to be moved at once than there is room for.
-    #[error("{handles} vertices cannot be moved at once: on this mesh, {most} can")]
+    /// The edit has too many handles for the memory limit.
+    #[error("{handles} vertices cannot be moved at once; the maximum on this mesh is {most}")]
     TooManyHandles {
-        /// How many were to be moved.
+        /// Number of handles.
         handles: usize,
-        /// How many can be.
+        /// The highest number on this mesh.
         most: usize,
     },
-    /// An entry of a file has no answer.
+    /// An entry of a file has no solution.
     #[error("entry {index} of the history: {reason}")]
     Entry {
-        /// Which entry, from 0.
+        /// The entry, from 0.
         index: usize,
-        /// What is wrong with it.
+        /// The reason.
         reason: Box<StudioError>,
     },
-    /// The mesh leaves no vertices for random anchors.
-    #[error("{free} vertices are free, and two random anchors need two")]
+    /// Too few free vertices for random anchors.
+    #[error("random anchors need two vertices that are not handles; this mesh has {free}")]
     NoFreeAnchors {
-        /// How many vertices are no handles.
+        /// Number of vertices that are not handles.
         free: usize,
     },
-    /// A test has asked for this failure.
+    /// Failure injected by a test.
     #[cfg(feature = "faults")]
-    #[error("a test has asked for this failure")]
+    #[error("a test injected this failure")]
     Injected,
-    /// Nothing is held that could be moved or committed.
-    #[error("no vertex is held")]
+    /// There is no prepared edit to move or commit.
+    #[error("no edit is prepared: prepare one first")]
     NothingPrepared,
-    /// The history has no such entry.
-    #[error("there is no entry {index}: the history has {count}")]
+    /// The history does not have this entry.
+    #[error("the history has no entry {index}; it has {count}")]
     NoSuchEntry {
-        /// The entry asked for, from 0.
+        /// The requested entry, from 0.
         index: usize,
-        /// How many there are.
+        /// Number of entries.
         count: usize,
     },
 }

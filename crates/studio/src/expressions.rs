@@ -1,4 +1,4 @@
-//! Expressions of the face, by the names that animation tools know them by.
+//! Expressions of the face, under the names that animation tools use.
 
 mod handles;
 mod lids;
@@ -10,14 +10,15 @@ use rosto_laplacian::{Continuation, LaplacianError, Operator};
 use rosto_mesh::Topology;
 
 use crate::StudioError;
-use handles::Authored;
+use handles::Prescribed;
 
 rosto_mesh::named! {
-    /// A blend shape by Apple's name ([ARKit](https://developer.apple.com/documentation/arkit/arfaceanchor/blendshapelocation)).
-    /// Left and right are the subject's.
+    /// A blend shape, under Apple's name
+    /// ([ARKit](https://developer.apple.com/documentation/arkit/arfaceanchor/blendshapelocation)). Left and right are
+    /// the subject's.
     ///
-    /// Of ARKit's 52 those are here that a face without eyeballs, teeth and tongue can make: not `tongueOut`, nor
-    /// `eyeLookUp`, `eyeLookDown`, `eyeLookIn` and `eyeLookOut` of either eye.
+    /// Of ARKit's 52 blend shapes, it omits those that need eyeballs or a tongue: `tongueOut`, and `eyeLookUp`,
+    /// `eyeLookDown`, `eyeLookIn` and `eyeLookOut` of both eyes.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum Expression {
@@ -25,47 +26,47 @@ rosto_mesh::named! {
         EyeBlinkLeft = "eyeBlinkLeft",
         /// Both lids of the right eye meet.
         EyeBlinkRight = "eyeBlinkRight",
-        /// The left eye narrows, its lower lid above all.
+        /// The left eye narrows, mostly by its lower lid.
         EyeSquintLeft = "eyeSquintLeft",
-        /// The right eye narrows, its lower lid above all.
+        /// The right eye narrows, mostly by its lower lid.
         EyeSquintRight = "eyeSquintRight",
         /// The left eye opens wide.
         EyeWideLeft = "eyeWideLeft",
         /// The right eye opens wide.
         EyeWideRight = "eyeWideRight",
-        /// The lower jaw comes forward.
+        /// The lower jaw moves forward.
         JawForward = "jawForward",
-        /// The lower jaw goes to the left.
+        /// The lower jaw moves to the left.
         JawLeft = "jawLeft",
-        /// The lower jaw goes to the right.
+        /// The lower jaw moves to the right.
         JawRight = "jawRight",
-        /// The lower jaw turns down and takes the lower lip along.
+        /// The lower jaw rotates down with the lower lip.
         JawOpen = "jawOpen",
-        /// What closes the lips while [`Self::JawOpen`] is 1, and is meant for it alone.
+        /// Closes the lips while [`Self::JawOpen`] is 1; intended only for use with it.
         MouthClose = "mouthClose",
         /// The lips open into a funnel.
         MouthFunnel = "mouthFunnel",
-        /// The closed lips draw together and come forward.
+        /// The closed lips contract and move forward.
         MouthPucker = "mouthPucker",
-        /// Both lips go to the left.
+        /// Both lips move to the left.
         MouthLeft = "mouthLeft",
-        /// Both lips go to the right.
+        /// Both lips move to the right.
         MouthRight = "mouthRight",
-        /// The mouth's left corner goes up and out, and the cheek with it.
+        /// The left corner of the mouth moves up and out, with the cheek.
         MouthSmileLeft = "mouthSmileLeft",
-        /// The mouth's right corner goes up and out, and the cheek with it.
+        /// The right corner of the mouth moves up and out, with the cheek.
         MouthSmileRight = "mouthSmileRight",
-        /// The mouth's left corner goes down.
+        /// The left corner of the mouth moves down.
         MouthFrownLeft = "mouthFrownLeft",
-        /// The mouth's right corner goes down.
+        /// The right corner of the mouth moves down.
         MouthFrownRight = "mouthFrownRight",
-        /// The mouth's left corner goes back.
+        /// The left corner of the mouth moves back.
         MouthDimpleLeft = "mouthDimpleLeft",
-        /// The mouth's right corner goes back.
+        /// The right corner of the mouth moves back.
         MouthDimpleRight = "mouthDimpleRight",
-        /// The mouth's left corner goes out.
+        /// The left corner of the mouth moves out.
         MouthStretchLeft = "mouthStretchLeft",
-        /// The mouth's right corner goes out.
+        /// The right corner of the mouth moves out.
         MouthStretchRight = "mouthStretchRight",
         /// The lower lip rolls into the mouth.
         MouthRollLower = "mouthRollLower",
@@ -73,45 +74,45 @@ rosto_mesh::named! {
         MouthRollUpper = "mouthRollUpper",
         /// The chin pushes the lower lip up and out.
         MouthShrugLower = "mouthShrugLower",
-        /// The upper lip goes up and out.
+        /// The upper lip moves up and out.
         MouthShrugUpper = "mouthShrugUpper",
-        /// The left halves of the lips are pressed together.
+        /// The left halves of the lips press together.
         MouthPressLeft = "mouthPressLeft",
-        /// The right halves of the lips are pressed together.
+        /// The right halves of the lips press together.
         MouthPressRight = "mouthPressRight",
-        /// The left half of the lower lip goes down.
+        /// The left half of the lower lip moves down.
         MouthLowerDownLeft = "mouthLowerDownLeft",
-        /// The right half of the lower lip goes down.
+        /// The right half of the lower lip moves down.
         MouthLowerDownRight = "mouthLowerDownRight",
-        /// The left half of the upper lip goes up.
+        /// The left half of the upper lip moves up.
         MouthUpperUpLeft = "mouthUpperUpLeft",
-        /// The right half of the upper lip goes up.
+        /// The right half of the upper lip moves up.
         MouthUpperUpRight = "mouthUpperUpRight",
-        /// The left brow goes down, its inner end above all.
+        /// The left brow moves down, mostly at its inner end.
         BrowDownLeft = "browDownLeft",
-        /// The right brow goes down, its inner end above all.
+        /// The right brow moves down, mostly at its inner end.
         BrowDownRight = "browDownRight",
-        /// The inner ends of both brows go up.
+        /// The inner ends of both brows move up.
         BrowInnerUp = "browInnerUp",
-        /// The outer part of the left brow goes up.
+        /// The outer part of the left brow moves up.
         BrowOuterUpLeft = "browOuterUpLeft",
-        /// The outer part of the right brow goes up.
+        /// The outer part of the right brow moves up.
         BrowOuterUpRight = "browOuterUpRight",
-        /// Both cheeks are blown up.
+        /// Both cheeks fill with air.
         CheekPuff = "cheekPuff",
-        /// The left cheek goes up to the lower lid.
+        /// The left cheek rises towards the lower lid.
         CheekSquintLeft = "cheekSquintLeft",
-        /// The right cheek goes up to the lower lid.
+        /// The right cheek rises towards the lower lid.
         CheekSquintRight = "cheekSquintRight",
-        /// The left wing of the nose goes up.
+        /// The left wing of the nose moves up.
         NoseSneerLeft = "noseSneerLeft",
-        /// The right wing of the nose goes up.
+        /// The right wing of the nose moves up.
         NoseSneerRight = "noseSneerRight",
     }
 }
 
 impl Expression {
-    /// The expression that this one becomes in the mirror: itself, if both sides take part alike.
+    /// The mirror image of this expression; the expression itself if it is symmetric.
     pub fn mirrored(self) -> Self {
         let id = self.id();
         let other = match (id.strip_suffix("Left"), id.strip_suffix("Right")) {
@@ -123,25 +124,25 @@ impl Expression {
     }
 }
 
-/// What each expression displaces the landmarks of one face by.
+/// Displacements of one face's landmarks by expressions.
 ///
-/// An expression is a Laplacian edit of the face at rest: a few landmarks are moved as its table says, the parts that it names
-/// follow so that the bi-Laplacian of the displacement is zero ([`Continuation`]), and the rest stays. It is solved on the skin
-/// alone, eyes and mouth cut open, so that a lower lip or lid moves without the upper one. Ways are measured in the face's
-/// own measures.
+/// An expression is a Laplacian edit of the face at rest. Its table moves a few landmarks; the areas that it names
+/// follow with a bi-Laplacian of the displacement of zero ([`Continuation`]), and the rest of the face stays. The solve
+/// uses the skin without the triangles that fill eyes and mouth, so that a lower lip or lid moves without the upper
+/// one. Displacements scale with the face's proportions.
 pub struct Expressions {
     skin: Topology,
     rest_m: Vec<DVec3>,
     canonical_m: Vec<DVec3>,
-    /// Each solved when it is first asked for, in the order of [`Expression::ALL`].
+    /// Each is solved on first use; in the order of [`Expression::ALL`].
     solved: Vec<Option<Vec<DVec3>>>,
 }
 
 impl Expressions {
-    /// For a face at rest: 468 positions in metres in the model's frame.
+    /// Creates the solver for a face at rest: 468 positions in metres, in the model's frame.
     ///
     /// # Errors
-    /// [`StudioError::NoExpressions`] if there are not 468; [`StudioError::Laplacian`] for one that is not finite.
+    /// [`StudioError::NoExpressions`] unless there are 468 positions; [`StudioError::Laplacian`] if one is not finite.
     pub fn new(positions_m: &[DVec3]) -> Result<Self, StudioError> {
         if positions_m.len() != LANDMARK_COUNT {
             return Err(StudioError::NoExpressions { vertex_count: positions_m.len() });
@@ -154,36 +155,37 @@ impl Expressions {
         Ok(Self { skin: skin(), rest_m: positions_m.to_vec(), canonical_m, solved })
     }
 
-    /// By how many metres an expression of weight 1 displaces each landmark. Solved the first time; linear in the weight.
+    /// Displacement of each landmark, in metres, by an expression at weight 1. Solved on first use; linear in the
+    /// weight.
     ///
     /// # Errors
-    /// [`StudioError::Laplacian`] for a face that has no answer.
+    /// [`StudioError::Laplacian`] if the face has no solution.
     pub fn displacement(&mut self, expression: Expression) -> Result<&[DVec3], StudioError> {
-        let place = expression as usize;
-        if self.solved[place].is_none() {
-            self.solved[place] = Some(self.solve(expression)?);
+        let index = expression as usize;
+        if self.solved[index].is_none() {
+            self.solved[index] = Some(self.solve(expression)?);
         }
-        Ok(self.solved[place].as_deref().expect("invariant: just solved"))
+        Ok(self.solved[index].as_deref().expect("invariant: just solved"))
     }
 
     fn solve(&self, expression: Expression) -> Result<Vec<DVec3>, StudioError> {
-        let Authored { known, displacements_m } = Authored::of(expression, &self.rest_m, &self.canonical_m);
-        let mut solver = Continuation::new(&self.skin, &self.rest_m, Operator::CotangentMass, &known)?;
+        let Prescribed { landmarks, displacements_m } = Prescribed::of(expression, &self.rest_m, &self.canonical_m);
+        let mut solver = Continuation::new(&self.skin, &self.rest_m, Operator::CotangentMass, &landmarks)?;
         let mut displacement = vec![DVec3::ZERO; LANDMARK_COUNT];
         let mut along = vec![0.0; LANDMARK_COUNT];
         for axis in 0..3 {
-            let known: Vec<f64> = displacements_m.iter().map(|way| way[axis]).collect();
-            solver.continued(&known, &mut along);
-            displacement.iter_mut().zip(&along).for_each(|(way, share)| way[axis] = *share);
+            let values: Vec<f64> = displacements_m.iter().map(|vector| vector[axis]).collect();
+            solver.continued(&values, &mut along);
+            displacement.iter_mut().zip(&along).for_each(|(vector, share)| vector[axis] = *share);
         }
-        match displacement.iter().position(|way| !way.is_finite()) {
+        match displacement.iter().position(|vector| !vector.is_finite()) {
             Some(vertex) => Err(LaplacianError::NotFinite { vertex: vertex as u32 }.into()),
             None => Ok(displacement),
         }
     }
 }
 
-/// The canonical triangles without those that fill eyes and mouth: their own mirror image.
+/// The canonical triangles without those that fill eyes and mouth; symmetric.
 fn skin() -> Topology {
     let whole = Triangulation::Canonical.triangles();
     let triangles = without_fillings(&whole, &whole);

@@ -1,6 +1,7 @@
 use crate::StudioError;
 
-/// Fault injection: with the feature `faults`, a test has one of the next fallible calls fail, to see what it leaves behind.
+/// Fault injection: with the feature `faults`, a test can make one of the next calls fail and check the resulting
+/// state.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Fault {
     #[cfg(feature = "faults")]
@@ -8,7 +9,7 @@ pub(crate) struct Fault {
 }
 
 impl Fault {
-    /// Fails if this is the call that a test has chosen.
+    /// Fails if a test has chosen this call.
     #[cfg(feature = "faults")]
     pub fn check(&mut self) -> Result<(), StudioError> {
         let Some(calls) = self.calls_until else { return Ok(()) };
@@ -17,7 +18,7 @@ impl Fault {
     }
 
     #[cfg(not(feature = "faults"))]
-    #[expect(clippy::unused_self, clippy::unnecessary_wraps, reason = "the same call as with the feature")]
+    #[expect(clippy::unused_self, clippy::unnecessary_wraps, reason = "same signature as with the feature")]
     pub fn check(&mut self) -> Result<(), StudioError> {
         Ok(())
     }

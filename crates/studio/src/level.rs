@@ -8,31 +8,31 @@ use rosto_mesh::{LoopSubdivision, Topology};
 use crate::mirror::MirrorTable;
 use crate::{Expression, Expressions, StudioError};
 
-/// Which coordinates a document's positions are in.
+/// Coordinate frame of a document's positions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CoordinateFrame {
-    /// The face model's: its mirror plane is x = 0.
+    /// The face model's frame, with the mirror plane x = 0.
     Model,
-    /// Any other, such as a picture's: there is no mirror plane.
+    /// Any other frame, such as a picture's; it has no mirror plane.
     Other,
 }
 
-/// The mesh that a document starts from: its cage.
+/// The mesh that a document starts from (its cage).
 #[derive(Debug, Clone)]
 pub struct Rest {
     topology: Topology,
     positions: Vec<DVec3>,
     oval: Vec<u32>,
-    /// Where lids and lips part from what is between them.
+    /// Edges at which lids and lips border the openings.
     creases: Vec<[u32; 2]>,
-    /// Landmarks that denser meshes round off.
+    /// Landmarks that denser meshes do not interpolate but round off.
     rounded: Vec<u32>,
     mirror: Option<MirrorTable>,
 }
 
 impl Rest {
-    /// A mesh at rest, in any unit. In the model's frame, a mesh of landmarks has their mirror pairs. Denser meshes of
-    /// landmarks keep the edges of lids and lips.
+    /// Creates a mesh at rest, in any unit. A mesh of landmarks in the model's frame has mirror pairs. Subdivision of a
+    /// mesh of landmarks preserves the edges of lids and lips.
     pub fn new(topology: Topology, positions: Vec<DVec3>, frame: CoordinateFrame) -> Self {
         let is_face = topology.vertex_count() == LANDMARK_COUNT;
         let oval = if is_face { OVAL.to_vec() } else { longest_boundary(&topology) };
@@ -41,7 +41,7 @@ impl Rest {
         Self { topology, positions, oval, creases, rounded, mirror }
     }
 
-    /// A face in its own frame, in metres.
+    /// The mesh of a face, in its model's frame, in metres.
     pub fn of_face(face: &FaceModel) -> Self {
         Self::new(face.topology().clone(), face.positions_m().to_vec(), CoordinateFrame::Model)
     }
@@ -51,32 +51,35 @@ fn longest_boundary(topology: &Topology) -> Vec<u32> {
     topology.boundary_loops().into_iter().next().unwrap_or_default()
 }
 
-/// One density of a document's mesh, with what was factored for it.
+/// One subdivision level of a document's mesh, with its factorisations.
 pub(crate) struct Level {
     rest: Rest,
-    /// Each built when its operator is first asked for.
+    /// Built when an operator is first used.
     systems: Vec<(Operator, LaplacianSystem)>,
-    /// For the anchors that were held last, where they are many: the same for one handle after the other.
+    /// Factorisation for the latest anchors, if there are many; consecutive handles often share them.
     anchored: Option<Anchored>,
     geodesics: Option<Geodesics>,
-    /// To the next level; built with it.
+    /// Map to the next level; built with it.
     finer: Option<LoopSubdivision>,
-    /// What expressions displace it by.
-    expressed: Expressed,
+    /// Displacements by expressions.
+    expression_cache: ExpressionCache,
 }
 
-/// What expressions displace one level by, as far as they were asked for: it depends on the rest alone.
+/// Displacements of one level by expressions, computed on demand. They depend only on the mesh at rest.
 #[derive(Default)]
-pub(crate) struct Expressed {
-    /// Of the cage alone.
+pub(crate) struct ExpressionCache {
+    /// Present on the cage only.
     pub(crate) solver: Option<Expressions>,
     pub(crate) expressions: Vec<(Expression, Vec<DVec3>)>,
 }
 
-impl Expressed {
-    /// By how much an expression of weight 1 displaces each vertex, once it was made ready.
-    pub(crate) fn ways(&self, expression: Expression) -> Option<&[DVec3]> {
-        self.expressions.iter().find(|(known, _)| *known == expression).map(|(_, ways)| ways.as_slice())
+impl ExpressionCache {
+    /// Displacement of each vertex by an expression at weight 1, if computed.
+    pub(crate) fn displacements(&self, expression: Expression) -> Option<&[DVec3]> {
+        self.expressions
+            .iter()
+            .find(|(cached, _)| *cached == expression)
+            .map(|(_, displacements)| displacements.as_slice())
     }
 }
 
@@ -95,7 +98,7 @@ impl Level {
             anchored: None,
             geodesics: None,
             finer: None,
-            expressed: Expressed::default(),
+            expression_cache: ExpressionCache::default(),
         }
     }
 
@@ -129,7 +132,7 @@ impl Level {
         Ok(&self.systems[index].1)
     }
 
-    /// How every vertex follows handles. The same anchors again ask for no new factor.
+    /// Response of each vertex to handles. Reuses the factorisation if operator, constraint and anchors are unchanged.
     pub(crate) fn respond(
         &mut self,
         operator: Operator,
@@ -148,7 +151,7 @@ impl Level {
         }
     }
 
-    /// Distance of each vertex from `sources`, along the surface at rest.
+    /// Distance of each vertex from `sources` along the surface at rest.
     pub(crate) fn distances(&mut self, sources: &[u32]) -> Result<Vec<f64>, LaplacianError> {
         let geodesics = match self.geodesics.take() {
             Some(geodesics) => geodesics,
@@ -157,7 +160,7 @@ impl Level {
         self.geodesics.insert(geodesics).distances(sources)
     }
 
-    /// The next density: every triangle in four.
+    /// The next level: each triangle is split into four.
     pub(crate) fn subdivided(&mut self) -> Self {
         let step = LoopSubdivision::creased(&self.rest.topology, &self.rest.creases, 1).rounding(&self.rest.rounded);
         let topology = step.topology().clone();
@@ -173,12 +176,12 @@ impl Level {
         Self::new(rest)
     }
 
-    pub(crate) fn expressed(&self) -> &Expressed {
-        &self.expressed
+    pub(crate) fn expression_cache(&self) -> &ExpressionCache {
+        &self.expression_cache
     }
 
-    pub(crate) fn expressed_mut(&mut self) -> &mut Expressed {
-        &mut self.expressed
+    pub(crate) fn expression_cache_mut(&mut self) -> &mut ExpressionCache {
+        &mut self.expression_cache
     }
 
     /// The map to the next level.

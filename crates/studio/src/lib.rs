@@ -1,24 +1,24 @@
-//! The document: commands, history, undo, project file.
+//! The document: commands, history, undo and the project file.
 //!
-//! A [`Document`] is a mesh at rest and a [`History`] of commands over it; the vertices on screen follow from the two and
-//! are never stored. Editing runs in three steps that cost what their names say: [`Document::prepare`] takes hold of
-//! vertices (one solve), [`Document::preview`] moves them (on every slider tick; no solve, no allocation), and
-//! [`Document::commit`] makes the drag one entry of the history.
+//! A [`Document`] is a mesh at rest and a [`History`] of commands. The displayed vertices are computed from both and
+//! are not stored. An edit has three steps with different costs: [`Document::prepare`] solves for the response of the
+//! chosen vertices, [`Document::preview`] moves them on each slider tick without a solve or an allocation, and
+//! [`Document::commit`] adds the drag to the history as one entry.
 
 mod command;
 mod document;
 mod error;
-mod expressed;
+mod expression_cache;
 mod expressions;
 mod fading;
 mod fault;
 mod history;
-mod in_photo;
 mod influence;
 mod level;
 mod level_positions;
 mod mirror;
 pub mod paper;
+mod photo_warp;
 mod prepared_edit;
 pub mod project;
 mod rig;
@@ -33,9 +33,9 @@ pub use error::StudioError;
 pub use expressions::{Expression, Expressions};
 pub use fading::fading;
 pub use history::{Entry, EntryStatus, History, Switch};
-pub use in_photo::{DEFAULT_FALLOFF_BAND, FALLOFF_BAND_SHARES, InPhoto};
 pub use influence::InfluenceWeights;
 pub use level::{CoordinateFrame, Rest};
+pub use photo_warp::{DEFAULT_FALLOFF_BAND, FALLOFF_BAND_SHARES, PhotoWarp};
 pub use rig::{EditsInRig, Layer, Rig};
 pub use rosto_laplacian::{ConstraintKind, Operator};
 pub use rosto_texture::{Shares, Texture};
@@ -44,7 +44,7 @@ pub use stream_warp::StreamWarp;
 pub use target::{Amount, EditTarget};
 pub use whole_texture::{Shot, texture_plan, texture_side_px, whole_texture, whole_texture_of};
 
-/// The examples of the README are tested with those of the code.
+/// Compiles the README's examples as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -1,13 +1,13 @@
 use glam::DVec3;
 use rosto_mesh::Topology;
 
-/// The left-right partner of each vertex, over a mesh whose mirror plane is x = 0.
+/// The left-right partner of each vertex of a mesh with the mirror plane x = 0.
 #[derive(Debug, Clone)]
 pub(crate) struct MirrorTable {
     partners: Vec<u32>,
 }
 
-/// The image of a point or offset in the mirror plane x = 0.
+/// Mirror image of a point or offset in the plane x = 0.
 pub(crate) fn reflected(vector: DVec3) -> DVec3 {
     DVec3::new(-vector.x, vector.y, vector.z)
 }
@@ -17,9 +17,9 @@ impl MirrorTable {
         Self { partners: (0..rosto_face::LANDMARK_COUNT as u32).map(rosto_face::mirror_of).collect() }
     }
 
-    /// The table of the mesh that one subdivision of `coarse` gives; `None` if an edge has no mirror image.
+    /// The table for one subdivision of `coarse`; `None` if an edge has no mirror image.
     ///
-    /// Relies on the order of the new vertices: that of the edges they halve.
+    /// Relies on the order of the new vertices, which is that of the edges they split.
     pub(crate) fn subdivided(&self, coarse: &Topology) -> Option<Self> {
         let added = coarse.edges().iter().map(|&[a, b]| {
             let (a, b) = (self.partner(a), self.partner(b));
@@ -34,7 +34,7 @@ impl MirrorTable {
         self.partners[vertex as usize]
     }
 
-    /// `vertices` in their order, then the partners that are not among them; each once.
+    /// `vertices` in order, then the partners that are not among them, without repeats.
     pub(crate) fn closure(&self, vertices: &[u32]) -> Vec<u32> {
         let mut closed = Vec::with_capacity(vertices.len() * 2);
         for vertex in vertices.iter().copied().chain(vertices.iter().map(|&vertex| self.partner(vertex))) {
@@ -45,7 +45,7 @@ impl MirrorTable {
         closed
     }
 
-    /// Gives each vertex the smaller of its own value and its partner's.
+    /// Replaces each value with the minimum of it and its partner's.
     pub(crate) fn nearer_of_both(&self, values: &mut [f64]) {
         for (vertex, &partner) in self.partners.iter().enumerate() {
             let nearer = values[vertex].min(values[partner as usize]);
@@ -53,11 +53,11 @@ impl MirrorTable {
         }
     }
 
-    /// Makes the way from `rest` to `moved` its own mirror image: each vertex takes the mean of its own displacement and
-    /// its partner's, reflected. What already is one stays as it is, but for rounding.
+    /// Makes the displacement from `rest` to `moved` symmetric: each vertex takes the mean of its displacement and its
+    /// partner's reflected one. A symmetric displacement changes only by rounding.
     ///
-    /// Needed where the triangles are not mirror images of each other, or the mesh at rest is not: the response fields
-    /// of two partners then differ a little.
+    /// Needed if the triangles or the mesh at rest are not symmetric: the responses of two partners then differ
+    /// slightly.
     pub(crate) fn symmetrise_displacement(&self, rest: &[DVec3], moved: &mut [DVec3]) {
         for (vertex, &partner) in self.partners.iter().enumerate() {
             let partner = partner as usize;
@@ -72,7 +72,7 @@ impl MirrorTable {
         }
     }
 
-    /// Moves each vertex by `share` of the way to where both sides are mirror images.
+    /// Moves each vertex by `share` of its distance to the symmetric shape.
     pub(crate) fn symmetrise_shape(&self, share: f64, positions: &mut [DVec3]) {
         for (vertex, &partner) in self.partners.iter().enumerate() {
             let partner = partner as usize;

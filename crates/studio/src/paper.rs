@@ -1,8 +1,8 @@
-//! The paper's experiment: three vertices of known degree, moved a little and then a lot, with random anchors.
+//! The paper's experiment: three vertices of given degree, moved by a small and a large offset, with random anchors.
 //!
-//! It works on a face's landmarks in image coordinates, as the paper does, and apart from any [`Document`](crate::Document).
-//! The clock is the caller's: [`Trial::edit`] does one edit from nothing and changes nothing, so that it can be repeated
-//! until it can be timed; [`Trial::go_on`] keeps its result with the time that was measured.
+//! It uses a face's landmarks in image coordinates, as the paper does, and no [`Document`](crate::Document). The caller
+//! measures the time: [`Trial::edit`] performs one edit from scratch without changing the trial, so that it can be
+//! repeated for timing; [`Trial::go_on`] records the result and its time.
 
 mod claims;
 mod experiment;

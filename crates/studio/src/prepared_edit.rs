@@ -7,32 +7,32 @@ use crate::level::Level;
 use crate::mirror::reflected;
 use crate::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, StudioError};
 
-/// Further away than so many radii is all the same.
+/// Upper bound on distances, in influence radii.
 const FAR: f64 = 1e3;
 
-/// An edit specification made ready: anchors chosen, partners joined, response fields solved.
+/// An edit with its anchors chosen, mirror partners added and responses solved.
 #[derive(Clone)]
 pub(crate) struct PreparedEdit {
     spec: EditSpec,
     /// The spec's handles first, then the partners that the mirror adds.
     handles: Vec<u32>,
     anchors: Vec<u32>,
-    /// For each handle, where its partner stands among the handles; itself where the mirror is off.
-    partner_places: Vec<usize>,
+    /// Index of each handle's partner among the handles; its own index without the mirror.
+    partner_indices: Vec<usize>,
     response: Response,
-    /// For an edit that does not reach everywhere: the distance of each vertex from the handles, 1 at the radius.
+    /// For an edit with a limited region: the distance of each vertex from the handles; 1 is the influence radius.
     influence_distances: Option<Vec<f64>>,
-    /// For details that turn: over the positions that the edit starts from.
+    /// For rotating details: the solver over the positions that the edit starts from.
     rigid: Option<Arc<RigidEdit>>,
-    /// One for each handle; filled anew by each displacement.
+    /// One for each handle; overwritten by each displacement.
     offsets: Vec<DVec3>,
     stale: bool,
 }
 
 impl PreparedEdit {
-    /// Solves for the response fields; `from` are the positions that the edit starts from.
+    /// Solves for the responses; `from` are the positions that the edit starts from.
     pub(crate) fn new(spec: EditSpec, level: &mut Level, from: &[DVec3]) -> Result<Self, StudioError> {
-        let handles = joined_by_mirror(&spec, &spec.handles, level)?;
+        let handles = with_partners(&spec, &spec.handles, level)?;
         let (falloff, influence_distances) = falloff(&spec, &handles, level)?.unzip();
         let anchors = anchors(&spec, &handles, level)?;
         let constraint = spec.settings.constraint;
@@ -46,12 +46,22 @@ impl PreparedEdit {
                 Some(Arc::new(system.constrain(&constraints)?))
             }
         };
-        let partner_places = partner_places(&spec, &handles, level)?;
+        let partner_indices = partner_indices(&spec, &handles, level)?;
         let offsets = vec![DVec3::ZERO; handles.len()];
-        Ok(Self { spec, handles, anchors, partner_places, response, influence_distances, rigid, offsets, stale: false })
+        Ok(Self {
+            spec,
+            handles,
+            anchors,
+            partner_indices,
+            response,
+            influence_distances,
+            rigid,
+            offsets,
+            stale: false,
+        })
     }
 
-    /// Whether it depends on the shape that it starts from.
+    /// Whether details rotate, so that the edit depends on the positions that it starts from.
     pub(crate) fn turns_details(&self) -> bool {
         self.rigid.is_some()
     }
@@ -60,7 +70,7 @@ impl PreparedEdit {
         &self.spec
     }
 
-    /// The handles with their partners.
+    /// The spec's handles and their partners.
     pub(crate) fn handles(&self) -> &[u32] {
         &self.handles
     }
@@ -73,24 +83,24 @@ impl PreparedEdit {
         &self.response
     }
 
-    /// The distance of each vertex of the spec's level from the handles, 1 at the radius; none for an edit that reaches
-    /// everywhere.
+    /// Distance of each vertex of the spec's level from the handles; 1 is the influence radius. `None` for an edit of
+    /// the whole mesh.
     pub(crate) fn influence_distances(&self) -> Option<&[f64]> {
         self.influence_distances.as_deref()
     }
 
-    /// The positions that the next edit starts from are no longer those that this was made ready for.
+    /// Marks the edit as stale, if it depends on the positions that it starts from.
     pub(crate) fn start_changed(&mut self) {
         self.stale = self.rigid.is_some();
     }
 
-    /// Whether all has to be made ready anew before it can be moved.
+    /// Whether the edit must be prepared again before it can move.
     pub(crate) fn is_stale(&self) -> bool {
         self.stale
     }
 
-    /// Writes `from`, moved by one offset for each of the spec's handles, to `out`. Unless details turn: no solve, no
-    /// allocation.
+    /// Writes `from`, displaced by one offset for each of the spec's handles, to `out`. Unless details rotate, there is
+    /// no solve and no allocation.
     pub(crate) fn displace(
         &mut self,
         level: &Level,
@@ -118,22 +128,22 @@ impl PreparedEdit {
         Command::Move { spec: self.spec.clone(), offsets }
     }
 
-    /// Partners that were not taken hold of follow the mirrored offset; those that were meet in the middle, which takes
-    /// the sideways part from a handle of the midline.
+    /// Gives added partners the mirrored offset. If both partners are handles of the spec, both take the symmetric
+    /// mean; a handle on the midline then loses its sideways component.
     fn mirror_offsets(&mut self, given: usize) {
-        for place in 0..given {
-            let partner = self.partner_places[place];
+        for index in 0..given {
+            let partner = self.partner_indices[index];
             if partner >= given {
-                self.offsets[partner] = reflected(self.offsets[place]);
-            } else if partner >= place {
-                let mean = (self.offsets[place] + reflected(self.offsets[partner])) / 2.0;
-                self.offsets[place] = mean;
+                self.offsets[partner] = reflected(self.offsets[index]);
+            } else if partner >= index {
+                let mean = (self.offsets[index] + reflected(self.offsets[partner])) / 2.0;
+                self.offsets[index] = mean;
                 self.offsets[partner] = reflected(mean);
             }
         }
     }
 
-    /// Refuses offsets that do not fit the spec.
+    /// Rejects offsets that do not fit the spec.
     pub(crate) fn check(&self, offsets: &[DVec3]) -> Result<(), StudioError> {
         let (expected, found) = (self.spec.handles.len(), offsets.len());
         if expected != found {
@@ -146,31 +156,31 @@ impl PreparedEdit {
     }
 }
 
-/// The vertices, with their partners if the spec is mirrored. A vertex that is not there is left for the solver to refuse.
-fn joined_by_mirror(spec: &EditSpec, vertices: &[u32], level: &Level) -> Result<Vec<u32>, StudioError> {
-    let known = vertices.iter().all(|&vertex| (vertex as usize) < level.rest().len());
+/// The vertices, with their partners if the spec is mirrored. Unknown vertices are left for the solver to reject.
+fn with_partners(spec: &EditSpec, vertices: &[u32], level: &Level) -> Result<Vec<u32>, StudioError> {
+    let exist = vertices.iter().all(|&vertex| (vertex as usize) < level.rest().len());
     match spec.settings.mirror {
-        Mirror::On if known => Ok(level.mirror()?.closure(vertices)),
+        Mirror::On if exist => Ok(level.mirror()?.closure(vertices)),
         _ => Ok(vertices.to_vec()),
     }
 }
 
-fn partner_places(spec: &EditSpec, handles: &[u32], level: &Level) -> Result<Vec<usize>, StudioError> {
+fn partner_indices(spec: &EditSpec, handles: &[u32], level: &Level) -> Result<Vec<usize>, StudioError> {
     if spec.settings.mirror == Mirror::Off {
         return Ok((0..handles.len()).collect());
     }
     let table = level.mirror()?;
-    let place = |vertex: &u32| handles.iter().position(|handle| *handle == table.partner(*vertex));
-    Ok(handles.iter().map(|handle| place(handle).expect("invariant: handles are closed under the mirror")).collect())
+    let index = |vertex: &u32| handles.iter().position(|handle| *handle == table.partner(*vertex));
+    Ok(handles.iter().map(|handle| index(handle).expect("invariant: handles are closed under the mirror")).collect())
 }
 
-/// How an edit fades out, and the distances by which it does, 1 at the radius. With the mirror, what is near on either side
-/// takes part.
+/// Falloff of the edit, and the distance of each vertex, where 1 is the influence radius. With the mirror, the distance
+/// is the smaller of both partners'.
 fn falloff(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Option<(Falloff, Vec<f64>)>, StudioError> {
     let RegionOfInfluence::Within { radius } = spec.settings.influence else { return Ok(None) };
     let distances = level.distances(handles)?;
     let falloff = Falloff::within(radius, &distances)?;
-    // What the surface does not lead to is far away rather than nowhere, so that denser meshes can take means.
+    // Bounded, so that unreachable vertices stay finite when denser meshes are interpolated.
     let mut influence_distances: Vec<f64> =
         distances.into_iter().map(|distance| (distance / radius).min(FAR)).collect();
     if spec.settings.mirror == Mirror::On {
@@ -179,7 +189,7 @@ fn falloff(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Option
     Ok(Some((falloff, influence_distances)))
 }
 
-/// The anchors that the settings ask for: pins, and those of the rule that are no handles.
+/// The anchors of the settings: the pins, and the vertices that the rule selects except handles.
 fn anchors(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Vec<u32>, StudioError> {
     let Anchors { kind, pins } = &spec.settings.anchors;
     let vertex_count = level.rest().len();
@@ -197,9 +207,9 @@ fn anchors(spec: &EditSpec, handles: &[u32], level: &mut Level) -> Result<Vec<u3
         .iter()
         .filter(|&&handle| (handle as usize) < vertex_count)
         .for_each(|&handle| taken[handle as usize] = true);
-    let mut anchors = joined_by_mirror(spec, pins, level)?;
+    let mut anchors = with_partners(spec, pins, level)?;
     anchors.iter().filter(|&&pin| (pin as usize) < vertex_count).for_each(|&pin| taken[pin as usize] = true);
-    for anchor in joined_by_mirror(spec, &by_rule, level)? {
+    for anchor in with_partners(spec, &by_rule, level)? {
         if !std::mem::replace(&mut taken[anchor as usize], true) {
             anchors.push(anchor);
         }

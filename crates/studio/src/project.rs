@@ -1,4 +1,4 @@
-//! The history as JSON text: the project file, the crash recovery and the `extras` of a GLB.
+//! The history as JSON text, in project files, crash recovery and the `extras` of a GLB.
 //!
 //! ```json
 //! {"rosto": "history", "version": 1, "entries": [
@@ -8,9 +8,9 @@
 //!   {"label": "symmetrise", "switch": "off", "symmetrise": {"share": 0.5}},
 //!   {"label": "jawOpen", "switch": "on", "express": {"expression": "jawOpen", "weight": 0.6}}]}
 //! ```
-//! `hold` is `{"soft": weight}` or `"exact"`; `kind` is `"oval"`, `"pins"`, `{"random": seed}` or `{"outside": radius}`;
-//! `reach` is `"whole"` or `{"within": radius}`; `details` are `"kept"` or `"turned"`. Offsets and radii are in the
-//! document's unit. Every number reads back as the same `f64`, so that a replay gives the same bytes.
+//! `constraint` is `{"soft": weight}` or `"exact"`; `kind` is `"oval"`, `"pins"`, `{"random": seed}` or `{"outside":
+//! radius}`; `influence` is `"whole"` or `{"within": radius}`; `details` is `"kept"` or `"turned"`. Offsets and radii
+//! are in the document's unit. Numbers are read back as the same `f64`, so that a replay gives the same bytes.
 
 mod read;
 mod write;
@@ -18,5 +18,5 @@ mod write;
 pub use read::{ProjectError, from_json};
 pub use write::to_json;
 
-/// The version that [`to_json`] writes and [`from_json`] reads.
+/// Version of the format that [`to_json`] writes and [`from_json`] reads.
 pub const VERSION: u64 = 1;

@@ -1,108 +1,108 @@
 use glam::DVec3;
-use rosto_face::Parted;
+use rosto_face::SplitFace;
 
 use crate::{Command, Document, Entry, EntryStatus, Expression, StudioError};
 
-/// A face in pieces: the mesh that is shown, parted at eyes and mouth. So that others can move it, where it is without
-/// expressions, and what each of them displaces it by.
+/// A face in pieces for animation in other programs: the displayed mesh, split at eyes and mouth, without expressions,
+/// and the displacement by each expression.
 pub struct Rig {
-    parted: Parted,
+    split_face: SplitFace,
     base_m: Vec<DVec3>,
     layers: Vec<Layer>,
 }
 
-/// What moves the vertices of a [`Rig`]: an edit or an expression.
+/// A displacement of the vertices of a [`Rig`]: an edit or an expression.
 pub struct Layer {
-    /// The label of the edit, or the expression's id.
+    /// The edit's label or the expression's id.
     pub name: String,
     /// Displacement of each vertex at weight 1, in metres.
     pub displacements_m: Vec<DVec3>,
-    /// How much of it the face shows.
+    /// Current weight.
     pub weight: f64,
 }
 
-/// What the edits that are no expressions are in a [`Rig`].
+/// How a [`Rig`] represents edits other than expressions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EditsInRig {
-    /// Part of the face at rest.
+    /// As part of the face at rest.
     AtRest,
-    /// A layer each, beside the unedited face.
+    /// As one layer each, on the unedited face.
     Layers,
 }
 
 impl Rig {
-    /// Of a document as it was committed. Needs a solve for each expression that was not asked for yet.
+    /// Creates the rig of a document's committed state. Solves for the expressions that have not been computed yet.
     ///
     /// # Errors
-    /// [`StudioError::NoExpressions`] for what is no face in the model's frame.
+    /// [`StudioError::NoExpressions`] if the mesh is not a face in the model's frame.
     pub fn new(document: &mut Document, edits: EditsInRig) -> Result<Self, StudioError> {
         let weights = document.weights();
         let expressions = document.expressions()?.into_iter().zip(Expression::ALL).zip(weights);
-        let parted = document.parted();
+        let split_face = document.split_face();
         let mut base_m = document.without_expressions();
         let mut layers = Vec::new();
         if edits == EditsInRig::Layers {
             base_m.copy_from_slice(document.rest());
-            layers = edit_layers(document, &parted, |command| !matches!(command, Command::Express { .. }));
+            layers = edit_layers(document, &split_face, |command| !matches!(command, Command::Express { .. }));
         }
-        layers.extend(expressions.map(|((ways, expression), weight)| Layer {
+        layers.extend(expressions.map(|((displacements, expression), weight)| Layer {
             name: expression.id().to_owned(),
-            displacements_m: parted.ways(&ways),
+            displacements_m: split_face.displacements(&displacements),
             weight,
         }));
-        Ok(Self { base_m: parted.positions_m(&base_m), parted, layers })
+        Ok(Self { base_m: split_face.positions_m(&base_m), split_face, layers })
     }
 
-    /// The mesh that is shown at positions in metres, in its pieces: they lie behind lids and lips as these are without expressions.
-    /// No expression can be moved in it. With layers it is the unedited face.
+    /// Creates a rig without expressions: the displayed mesh at its current positions, in metres. The pieces behind
+    /// lids and lips are placed as for the face without expressions. With layers, the base is the unedited face.
     pub fn still(document: &mut Document, edits: EditsInRig) -> Self {
-        let parted = document.parted();
+        let split_face = document.split_face();
         if edits == EditsInRig::Layers {
-            let layers = edit_layers(document, &parted, |_| true);
-            return Self { base_m: parted.positions_m(document.rest()), parted, layers };
+            let layers = edit_layers(document, &split_face, |_| true);
+            return Self { base_m: split_face.positions_m(document.rest()), split_face, layers };
         }
         let skin_m = document.positions();
-        let mut base_m = parted.positions_m(&document.relaxed(skin_m));
+        let mut base_m = split_face.positions_m(&document.relaxed(skin_m));
         base_m[..skin_m.len()].copy_from_slice(skin_m);
-        Self { base_m, parted, layers: Vec::new() }
+        Self { base_m, split_face, layers: Vec::new() }
     }
 
-    /// The same with a dark mouth ([`Parted::darkened`]).
+    /// Darkens the inside of the mouth ([`SplitFace::darkened`]).
     #[must_use]
     pub fn darkened(self, colours_srgb: &[[u8; 3]]) -> Self {
-        Self { parted: self.parted.darkened(colours_srgb), ..self }
+        Self { split_face: self.split_face.darkened(colours_srgb), ..self }
     }
 
     /// The mesh in its pieces.
-    pub fn parted(&self) -> &Parted {
-        &self.parted
+    pub fn split_face(&self) -> &SplitFace {
+        &self.split_face
     }
 
-    /// Where its vertices are, in metres, before any layer and expression.
+    /// Positions of the vertices in metres, without layers.
     pub fn base_m(&self) -> &[DVec3] {
         &self.base_m
     }
 
-    /// The edits that are layers, and then the expressions.
+    /// The layers: edits first, then expressions.
     pub fn layers(&self) -> &[Layer] {
         &self.layers
     }
 }
 
-/// What each entry that counts displaced the mesh by.
-fn edit_layers(document: &mut Document, parted: &Parted, counts: impl Fn(&Command) -> bool) -> Vec<Layer> {
+/// Displacement by each entry whose command `counts` accepts.
+fn edit_layers(document: &mut Document, split_face: &SplitFace, counts: impl Fn(&Command) -> bool) -> Vec<Layer> {
     let displacements = document.displacements();
     let edits = document.history().entries().iter().zip(displacements).filter(|(entry, _)| counts(&entry.command));
-    let layer = |(entry, ways): (&Entry, Vec<DVec3>)| Layer {
+    let layer = |(entry, displacements): (&Entry, Vec<DVec3>)| Layer {
         name: entry.label.clone(),
-        displacements_m: parted.ways(&ways),
+        displacements_m: split_face.displacements(&displacements),
         weight: 1.0,
     };
     edits.map(layer).collect()
 }
 
 impl Document {
-    /// How much of each expression the face shows: the sum of its entries in force, in the order of [`Expression::ALL`].
+    /// Weight of each expression: the sum over entries in force, in the order of [`Expression::ALL`].
     pub fn weights(&self) -> [f64; Expression::ALL.len()] {
         let mut weights = [0.0; Expression::ALL.len()];
         for (index, entry) in self.history().entries().iter().enumerate() {
@@ -115,18 +115,21 @@ impl Document {
         weights
     }
 
-    /// The mesh that is shown as it was committed, but for what expressions displaced it by.
+    /// Committed positions of the displayed mesh, minus the displacements by expressions.
     pub fn without_expressions(&self) -> Vec<DVec3> {
         self.relaxed(self.committed())
     }
 
-    /// Positions of the mesh that is shown, but for what expressions displaced them by.
+    /// Positions of the displayed mesh, minus the displacements by expressions.
     fn relaxed(&self, positions: &[DVec3]) -> Vec<DVec3> {
         let mut positions = positions.to_vec();
         for (expression, weight) in Expression::ALL.into_iter().zip(self.weights()).filter(|(_, weight)| *weight != 0.0)
         {
-            let ways = self.expressed(expression);
-            positions.iter_mut().zip(ways).for_each(|(position, way)| *position -= weight * *way);
+            let displacements = self.expression_displacements(expression);
+            positions
+                .iter_mut()
+                .zip(displacements)
+                .for_each(|(position, displacement)| *position -= weight * *displacement);
         }
         positions
     }

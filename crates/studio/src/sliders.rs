@@ -5,27 +5,27 @@ use rosto_laplacian::ConstraintKind;
 use crate::{AnchorKind, Anchors, Command, EditSpec, Mirror, Settings};
 
 rosto_mesh::named! {
-    /// A ready-made change of a feature: a documented set of mirrored, exactly held handles, with pins around them.
+    /// A ready-made edit of a proportion: mirrored, hard-constrained handles with pins around them.
     ///
-    /// All are symmetric, linear in their amount, and meant for a face in metres.
+    /// Each is symmetric, linear in its amount, and intended for a face in metres.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum FaceSlider {
-        /// The nose's wings move apart; its ridge, tip and base stay.
+        /// The wings of the nose move apart; ridge, tip and base stay.
         NoseWidth = "nose-width",
         /// The tip, the base and the wings of the nose move down and a little forward; its root and the lips stay.
         NoseLength = "nose-length",
-        /// The lids open and the eye's corners move apart; brows and cheekbones stay.
+        /// The lids open and the corners of the eye move apart; brows and cheekbones stay.
         EyeSize = "eye-size",
-        /// Both eyes move outwards whole; the nose stays.
+        /// Both eyes move outwards as a whole; the nose stays.
         EyeDistance = "eye-distance",
-        /// The lips' outer edges move up, down and forward; the corners and the line between the lips stay.
+        /// The outer edges of the lips move up, down and forward; the corners and the line between the lips stay.
         LipFullness = "lip-fullness",
-        /// The jaw's sides move apart; chin, mouth and everything above stay.
+        /// The sides of the jaw move apart; chin, mouth and the face above stay.
         JawWidth = "jaw-width",
-        /// The chin moves down; the lips, the jaw's angles and everything above stay.
+        /// The chin moves down; the lips, the angles of the jaw and the face above stay.
         ChinLength = "chin-length",
-        /// Both brows move up whole; eyes and hairline stay.
+        /// Both brows move up as a whole; eyes and hairline stay.
         BrowHeight = "brow-height",
         /// The cheekbones move outwards and forward; eyes, nose and mouth stay.
         Cheekbones = "cheekbones",
@@ -34,28 +34,28 @@ rosto_mesh::named! {
     }
 }
 
-/// Handles that are off the slider's way by less are on it.
+/// Tolerance for recognising the slider's direction in a handle's offset.
 const ROUNDING_M: f64 = 1e-12;
 
-/// A slider in full. Handles and pins are landmarks of the midline and of the subject's right.
+/// Definition of a slider. Handles and pins are landmarks of the midline and of the subject's right.
 struct Definition {
-    /// How far it goes to either side, in metres of its handles' way.
+    /// Range to either side, in metres of handle displacement.
     range_m: f64,
     handles: Handles,
-    /// The plane that every vertex's way is in.
+    /// Plane that contains all displacements.
     plane: Plane,
     pins: &'static [u32],
-    /// Whether the face's oval stays, too.
+    /// Whether the face's oval is anchored too.
     oval: AnchorKind,
 }
 
-/// What a slider moves, and by which displacement at 1.
+/// The handles of a slider and their offsets at amount 1.
 enum Handles {
     Each(&'static [(u32, [f64; 3])]),
     All(Region, [f64; 3]),
 }
 
-/// A plane of the model, spanned by two of its axes.
+/// Plane spanned by two axes of the model.
 enum Plane {
     XY,
     XZ,
@@ -63,12 +63,12 @@ enum Plane {
 }
 
 impl FaceSlider {
-    /// How far the slider goes to either side, in metres of its handles' way; beyond, faces look wrong.
+    /// Range to either side, in metres of handle displacement; faces look wrong beyond it.
     pub fn range_m(self) -> f64 {
         self.definition().range_m
     }
 
-    /// What to take hold of.
+    /// The spec to prepare.
     pub fn spec(self) -> EditSpec {
         let definition = self.definition();
         let settings = Settings {
@@ -80,45 +80,51 @@ impl FaceSlider {
         EditSpec { level: 0, handles: self.handles().into_iter().map(|(landmark, _)| landmark).collect(), settings }
     }
 
-    /// The offsets in metres of [`Self::spec`]'s handles for the slider at `amount_m`.
+    /// Offsets in metres of [`Self::spec`]'s handles at `amount_m`.
     pub fn offsets_m(self, amount_m: f64) -> Vec<DVec3> {
-        self.handles().into_iter().map(|(_, way)| way * amount_m).collect()
+        self.handles().into_iter().map(|(_, direction)| direction * amount_m).collect()
     }
 
-    /// The two axes of the model that every vertex's way is in the plane of.
+    /// The two axes of the model that span the plane of all displacements.
     pub fn axes(self) -> [DVec3; 2] {
         self.definition().plane.axes()
     }
 
-    /// The whole change.
+    /// The command that moves the slider by `amount_m`.
     pub fn command(self, amount_m: f64) -> Command {
         Command::Move { spec: self.spec(), offsets: self.offsets_m(amount_m) }
     }
 
-    /// How far a command moves this slider, in metres; `None` for one that does something else.
+    /// Amount, in metres, by which a command moves this slider; `None` if it is a different command.
     ///
-    /// Sliders are linear and do not depend on what was done before, so that the amounts of several such commands add up
-    /// to where the slider stands.
+    /// Sliders are linear and independent of earlier edits, so the amounts of several such commands add up to the
+    /// slider's value.
     pub fn amount_m(self, command: &Command) -> Option<f64> {
         let Command::Move { spec, offsets } = command else { return None };
-        let ways = self.offsets_m(1.0);
-        if offsets.len() != ways.len() || *spec != self.spec() {
+        let directions = self.offsets_m(1.0);
+        if offsets.len() != directions.len() || *spec != self.spec() {
             return None;
         }
-        let along = |offsets: &[DVec3]| offsets.iter().zip(&ways).map(|(offset, way)| offset.dot(*way)).sum::<f64>();
-        let amount_m = along(offsets) / along(&ways);
-        let is_along = |(offset, way): (&DVec3, &DVec3)| offset.distance(*way * amount_m) < ROUNDING_M;
-        offsets.iter().zip(&ways).all(is_along).then_some(amount_m)
+        let along = |offsets: &[DVec3]| {
+            offsets.iter().zip(&directions).map(|(offset, direction)| offset.dot(*direction)).sum::<f64>()
+        };
+        let amount_m = along(offsets) / along(&directions);
+        let is_along = |(offset, direction): (&DVec3, &DVec3)| offset.distance(*direction * amount_m) < ROUNDING_M;
+        offsets.iter().zip(&directions).all(is_along).then_some(amount_m)
     }
 
     fn handles(self) -> Vec<(u32, DVec3)> {
         match self.definition().handles {
-            Handles::Each(list) => list.iter().map(|&(landmark, way)| (landmark, DVec3::from(way))).collect(),
-            Handles::All(region, way) => region.vertices().into_iter().map(|v| (v, DVec3::from(way))).collect(),
+            Handles::Each(list) => {
+                list.iter().map(|&(landmark, direction)| (landmark, DVec3::from(direction))).collect()
+            }
+            Handles::All(region, direction) => {
+                region.vertices().into_iter().map(|v| (v, DVec3::from(direction))).collect()
+            }
         }
     }
 
-    /// The table of sliders: all that one is made of stands in its arm.
+    /// The table of sliders; each arm contains the full definition.
     #[rustfmt::skip]
     fn definition(self) -> Definition {
         use Handles::{All, Each};

@@ -4,23 +4,23 @@ use rosto_face::{LANDMARK_COUNT, Region, landmark_id};
 
 use crate::{Command, Expression, FaceSlider};
 
-/// What a command works on. Files hold the command alone: this is read from it.
+/// The object that a command edits. It is derived from the command and not stored in files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EditTarget {
     /// One landmark.
     Landmark(u32),
     /// One vertex of a denser mesh.
     Point {
-        /// How often that mesh is subdivided: 1 or more.
+        /// Subdivision level of that mesh, from 1.
         level: u32,
-        /// Which of its vertices.
+        /// The vertex.
         vertex: u32,
     },
-    /// All landmarks of a region, by one offset.
+    /// The landmarks of a region, moved by one offset.
     Region(Region),
     /// A ready-made slider.
     Slider(FaceSlider),
-    /// Other vertices: how many.
+    /// Any other set of vertices, by their number.
     Vertices(usize),
     /// Both sides of the face.
     Symmetry,
@@ -28,19 +28,19 @@ pub enum EditTarget {
     Expression(Expression),
 }
 
-/// How much a command does.
+/// Size of a command's change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Amount {
-    /// How far each handle is moved, in the document's unit; for a slider, with its sign.
+    /// Length of the longest offset, in the document's unit; signed for a slider.
     Distance(f64),
-    /// Of the asymmetry, from 0 to 1.
+    /// Share of the asymmetry that is removed, 0..=1.
     Share(f64),
-    /// Of an expression, from −1 to 1.
+    /// Weight of an expression, −1..=1.
     Weight(f64),
 }
 
 impl EditTarget {
-    /// What kind of target it is, by the name that panels know it by.
+    /// Kind of target, as an id for panels.
     pub fn kind(self) -> &'static str {
         match self {
             Self::Landmark(_) => "landmark",
@@ -54,7 +54,7 @@ impl EditTarget {
     }
 }
 
-/// The target's name in files, such as `nose-tip`, `nose-width` or `point-20000@3` for a vertex of the third subdivision.
+/// The target's id in files, such as `nose-tip`, `nose-width` or `point-20000@3` for a vertex of the third subdivision.
 impl fmt::Display for EditTarget {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -70,7 +70,7 @@ impl fmt::Display for EditTarget {
 }
 
 impl Command {
-    /// What it works on.
+    /// The object that the command edits.
     pub fn target(&self) -> EditTarget {
         let (spec, offsets) = match self {
             Self::Move { spec, offsets } => (spec, offsets),
@@ -90,7 +90,7 @@ impl Command {
         }
     }
 
-    /// How much it does.
+    /// Size of the change.
     pub fn amount(&self) -> Amount {
         match self {
             &Self::Symmetrise { share } => Amount::Share(share),

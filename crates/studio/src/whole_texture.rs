@@ -8,45 +8,48 @@ use rosto_texture::{Eye, Plan, Subject, Texture, TextureError};
 use crate::StudioError;
 use crate::mirror::MirrorTable;
 
-/// A texture is made for this density, and serves every other one: their places in it are the same to a fraction of a mm.
+/// Density at which textures are made. They fit the other densities, whose texture coordinates differ by a fraction of
+/// a mm.
 const DENSITY: u32 = 2;
 
-/// The shortest side that a face is given, however few pixels its photos have of it.
+/// Minimum side of a face's texture, for photos with few pixels of it.
 const SHORTEST_SIDE_PX: u32 = 1024;
 
-/// Texels there are, along a line, for each pixel of a photo: fewer would blur it, and more hold nothing.
+/// Texels per photo pixel along a line: fewer would blur the photo, and more add no detail.
 const TEXELS_PER_PIXEL: f64 = 2.0;
 
-/// Each comes from one photo alone: a gaze or a smile that was taken twice would be seen twice.
+/// Regions taken from a single photo: a blend of two gazes or smiles would show both.
 const WHOLES: [Region; 3] = [Region::RightEye, Region::LeftEye, Region::Lips];
 
-/// A photo of a face, found in the model's frame.
+/// A photo of a face, registered in the model's frame.
 #[derive(Debug, Clone, Copy)]
 pub struct Shot<'a> {
     /// The upright picture.
     pub picture: &'a Photo,
-    /// Where each of the 468 landmarks is in it, 0..=1, origin at the top left.
+    /// Position of each of the 468 landmarks in it, 0..=1, origin at the top left.
     pub uvs: &'a [DVec2],
-    /// What it was taken by, in the model's frame.
+    /// The photo's camera in the model's frame.
     pub camera: &'a Camera,
 }
 
-/// A face's texture in the canonical face's coordinates ([`canonical_uvs`]), all around: what the photo does not show is the
-/// other side's mirror image in the light of this side, and what neither shows is filled from around it.
+/// Whole-face texture in the canonical face's coordinates ([`canonical_uvs`]). Areas that the photo does not show come
+/// from the other side, mirrored and adjusted to this side's light; areas visible on neither side are filled from their
+/// surroundings.
 ///
-/// It is made at rest, of the canonical triangulation, and so serves both triangulations, every density and every edit.
+/// It is made from the face at rest with the canonical triangulation, and fits both triangulations and any density and
+/// edit.
 ///
 /// # Errors
-/// [`StudioError::Texture`] if the side is no power of two within [`rosto_texture::SIDES_PX`].
+/// [`StudioError::Texture`] if the side is not a power of two within [`rosto_texture::SIDES_PX`].
 pub fn whole_texture(face: &FaceModel, side_px: u32) -> Result<Texture, StudioError> {
     whole_texture_of(face, &[], side_px)
 }
 
-/// The same from further photos, too. The face's own says how bright it is.
+/// Whole-face texture from several photos. The face's own photo sets the brightness.
 ///
 /// # Errors
-/// [`StudioError::Texture`] as well if there are more than [`rosto_texture::MOST_SHOTS`] photos in all, if one has not 468
-/// places, or if one of them is not finite.
+/// See [`whole_texture`]. Also [`StudioError::Texture`] if there are more than [`rosto_texture::MOST_SHOTS`] photos in
+/// all, or if a shot does not have 468 finite positions.
 pub fn whole_texture_of(face: &FaceModel, others: &[Shot<'_>], side_px: u32) -> Result<Texture, StudioError> {
     others.iter().try_for_each(check)?;
     let pictures: Vec<&Photo> = [face.picture()].into_iter().chain(others.iter().map(|shot| shot.picture)).collect();
@@ -55,12 +58,12 @@ pub fn whole_texture_of(face: &FaceModel, others: &[Shot<'_>], side_px: u32) -> 
 }
 
 fn check(shot: &Shot<'_>) -> Result<(), TextureError> {
-    let (what, expected, found) = ("places in a photo", LANDMARK_COUNT, shot.uvs.len());
+    let (what, expected, found) = ("positions in a photo", LANDMARK_COUNT, shot.uvs.len());
     if found == expected { Ok(()) } else { Err(TextureError::WrongLength { what, expected, found }) }
 }
 
-/// What the same texture is made of but for the pixels of its photos, the face's own first: where each other photo has the 468
-/// landmarks, and what it was taken by. A plan can be carried out elsewhere.
+/// Plan of the whole-face texture: everything except the pixels of the photos, the face's own first. `others` holds the
+/// position of the 468 landmarks in each further photo, and its camera. A plan can be executed in another process.
 pub fn texture_plan(face: &FaceModel, others: &[(&[DVec2], &Camera)]) -> Plan {
     let dense = Dense::new();
     let positions = dense.interpolate(face.positions_m());
@@ -79,15 +82,15 @@ pub fn texture_plan(face: &FaceModel, others: &[(&[DVec2], &Camera)]) -> Plan {
     plan
 }
 
-/// How long the side of a face's texture is to be, in px, where it may be as long as `at_most_px`: a power of two that holds
-/// all that the sharpest of the face's photos shows of it. A longer one would be slower to make and to load, and no sharper.
+/// Side length of a face's texture in px: the power of two that holds the detail of the face's sharpest photo, at most
+/// `at_most_px`. A longer side would cost time and memory without adding detail.
 pub fn texture_side_px(face: &FaceModel, at_most_px: u32) -> u32 {
     let sharpest = face.views().iter().map(|view| pixels_per_side(&view.picture, &view.uvs)).fold(0.0, f64::max);
     let filled_px = (TEXELS_PER_PIXEL * sharpest).ceil() as u32;
     filled_px.checked_next_power_of_two().unwrap_or(at_most_px).clamp(SHORTEST_SIDE_PX.min(at_most_px), at_most_px)
 }
 
-/// How many pixels of a photo lie along the side of a texture of one to one, by the areas of what is seen of the face.
+/// Number of photo pixels along the side of a unit texture, from the areas of the visible triangles.
 fn pixels_per_side(picture: &Photo, uvs: &[DVec2]) -> f64 {
     let size_px = DVec2::new(picture.width().into(), picture.height().into());
     let in_photo: Vec<DVec2> = uvs.iter().map(|uv| uv * size_px).collect();
@@ -99,13 +102,13 @@ fn pixels_per_side(picture: &Photo, uvs: &[DVec2]) -> f64 {
     if texture == 0.0 { 0.0 } else { (photo / texture).sqrt() }
 }
 
-/// Twice the area of a triangle, with the sign of its winding.
+/// Twice the signed area of a triangle.
 fn area(places: &[DVec2], corners: &[u32; 3]) -> f64 {
     let [a, b, c] = corners.map(|corner| places[corner as usize]);
     (b - a).perp_dot(c - a)
 }
 
-/// The canonical triangulation, subdivided as documents subdivide it.
+/// The canonical triangulation, subdivided as in a document.
 struct Dense {
     steps: Vec<LoopSubdivision>,
     topology: Topology,
@@ -131,7 +134,7 @@ impl Dense {
         self.steps.iter().fold(cage.to_vec(), |values, step| step.interpolate(&values))
     }
 
-    /// The vertices that are made of these landmarks for the greater part.
+    /// The vertices whose weight comes mostly from these landmarks.
     fn made_of(&self, landmarks: &[u32]) -> Vec<u32> {
         let mark = |landmark: u32| if landmarks.contains(&landmark) { 1.0 } else { 0.0 };
         let cage: Vec<f64> = (0..LANDMARK_COUNT as u32).map(mark).collect();

@@ -1,7 +1,7 @@
-//! A slider tick allocates nothing.
+//! Slider ticks do not allocate.
 
 #![cfg(not(target_arch = "wasm32"))]
-#![allow(unsafe_code, reason = "an allocator that counts has to be an allocator")]
+#![allow(unsafe_code, reason = "a counting allocator implements GlobalAlloc")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -17,7 +17,7 @@ thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-// SAFETY: every call is handed on to the system's allocator as it came.
+// SAFETY: each call is forwarded unchanged to the system allocator.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.with(|count| count.set(count.get() + 1));
@@ -50,18 +50,18 @@ fn ticks_after_the_first_allocate_nothing() {
 }
 
 #[test]
-fn a_photo_follows_without_allocating_where_nothing_folds() {
+fn photo_ticks_without_folds_allocate_nothing() {
     let camera = face().camera().to_owned();
     for density in [0, 2] {
         let mut document = Document::new(Rest::of_face(&face())).unwrap();
         document.set_density(density).unwrap();
         document.prepare(FaceSlider::JawWidth.spec()).unwrap();
-        let mut in_photo = InPhoto::new(&face(), &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
+        let mut photo_warp = PhotoWarp::new(&face(), &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
         let mut tick = |amount_m: f64| {
             document.preview(&FaceSlider::JawWidth.offsets_m(amount_m)).unwrap();
             let before = ALLOCATIONS.with(Cell::get);
-            in_photo.follow(document.rest(), document.positions(), &camera, &camera);
-            assert_eq!(in_photo.limited_px(), 0.0, "nothing folds");
+            photo_warp.follow(document.rest(), document.positions(), &camera, &camera);
+            assert_eq!(photo_warp.limited_px(), 0.0, "nothing folds");
             ALLOCATIONS.with(Cell::get) - before
         };
         tick(0.001);
@@ -69,10 +69,11 @@ fn a_photo_follows_without_allocating_where_nothing_folds() {
     }
 }
 
-/// The canonical face in the middle of a photo.
+/// The canonical face in the centre of a photo.
 fn face() -> FaceModel {
-    let landmark =
-        |place_m: DVec3| [0.5 + 2.0 * place_m.x, 0.5 - 2.0 * place_m.y, -2.0 * place_m.z].map(|at| at as f32);
+    let landmark = |position_m: DVec3| {
+        [0.5 + 2.0 * position_m.x, 0.5 - 2.0 * position_m.y, -2.0 * position_m.z].map(|at| at as f32)
+    };
     let landmarks: Vec<[f32; 3]> = canonical_positions_m().into_iter().map(landmark).collect();
     let colours = vec![[0; 3]; LANDMARK_COUNT];
     let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();

@@ -1,6 +1,6 @@
 use glam::DVec2;
 use rosto_face::{Camera, LANDMARK_COUNT, lids_of};
-use rosto_studio::{DEFAULT_FALLOFF_BAND, InPhoto};
+use rosto_studio::{DEFAULT_FALLOFF_BAND, PhotoWarp};
 use rosto_warp::{Dab, WarpMesh};
 
 use super::OpenFace;
@@ -11,7 +11,7 @@ pub struct PhotoEdit {
     pub(super) seen_from_m: Option<f64>,
     pub(super) strokes: Strokes,
     falloff_band: f64,
-    warp: Option<InPhoto>,
+    warp: Option<PhotoWarp>,
     /// Counts the warps that were made: whoever shows one knows by it whether it is another.
     version: u32,
     is_stale: bool,
@@ -64,7 +64,7 @@ impl PhotoEdit {
 
     /// By how much the photo stays behind the mesh at most, in px of the photo, so that nothing in it folds.
     pub fn limited_px(&self) -> f64 {
-        self.warp.as_ref().map_or(0.0, InPhoto::limited_px)
+        self.warp.as_ref().map_or(0.0, PhotoWarp::limited_px)
     }
 
     /// The mesh or its camera is another one.
@@ -91,7 +91,7 @@ impl OpenFace {
         if std::mem::take(&mut self.photo.is_stale) {
             let kept: Vec<Dab> = self.photo.strokes.dabs().copied().collect();
             // A face beside its photo leads nothing in it.
-            self.photo.warp = InPhoto::new(&self.model, &self.document, self.photo.falloff_band, &kept).ok();
+            self.photo.warp = PhotoWarp::new(&self.model, &self.document, self.photo.falloff_band, &kept).ok();
             self.photo.version += 1;
         }
         let seen_by = self.seen_by();

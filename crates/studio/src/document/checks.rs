@@ -6,23 +6,23 @@ use rosto_laplacian::LaplacianError;
 use super::Document;
 use crate::{Command, EditSpec, Entry, StudioError};
 
-/// So often a face is subdivided unless somebody chooses otherwise: 7 257 points with the landmarks as their cage. Its rim and
-/// its outline against the light are smooth then, and nothing takes noticeably longer.
+/// Default subdivision level: 7,257 vertices, with the landmarks as the cage. Rim and silhouette look smooth at this
+/// density without a noticeable delay.
 pub const SMOOTH_DENSITY: u32 = 2;
 
-/// One edit solves for no more numbers than this: one for each of its handles and each vertex of its mesh.
-const MOST_RESPONSES: usize = 16_000_000;
+/// Limit on the response values of one edit: handles × vertices of its mesh.
+const MAX_RESPONSES: usize = 16_000_000;
 
-/// What can be said of an entry before it is carried out, whether or not it counts.
+/// Validation of an entry before it is applied, whether or not it is in force.
 impl Document {
-    /// Refuses an entry that could not be carried out at its own density either.
+    /// Rejects an entry that cannot be applied at its own density either.
     pub(super) fn check(&self, entry: &Entry) -> Result<(), StudioError> {
         match &entry.command {
             Command::Symmetrise { share } if (0.0..=1.0).contains(share) => Ok(()),
             &Command::Symmetrise { share } => Err(StudioError::Share { share }),
             &Command::Express { weight, .. } => self.check_expression(weight),
             Command::Move { spec, offsets } => {
-                self.check_grip(spec)?;
+                self.check_spec(spec)?;
                 let (expected, found) = (spec.handles.len(), offsets.len());
                 if expected != found {
                     return Err(StudioError::WrongOffsetCount { expected, found });
@@ -35,7 +35,7 @@ impl Document {
         }
     }
 
-    /// Refuses a weight beyond what there is, and expressions of what is no face in the model's frame.
+    /// Rejects weights outside −1..=1, and any weight on a mesh that is not a face in the model's frame.
     pub(super) fn check_expression(&self, weight: f64) -> Result<(), StudioError> {
         match self.levels[0].mirror() {
             Err(_) => Err(StudioError::NoExpressions { vertex_count: self.levels[0].rest().len() }),
@@ -44,8 +44,8 @@ impl Document {
         }
     }
 
-    /// Refuses a spec on what no mesh of its density has, on a vertex twice, or on more than there is memory for.
-    pub(super) fn check_grip(&self, spec: &EditSpec) -> Result<(), StudioError> {
+    /// Rejects a spec with an unknown or repeated vertex, or with too many handles for the memory limit.
+    pub(super) fn check_spec(&self, spec: &EditSpec) -> Result<(), StudioError> {
         let vertex_count = self.vertices_at(spec.level)?;
         let pins = &spec.settings.anchors.pins;
         if let Some(&vertex) = spec.handles.iter().chain(pins).find(|vertex| **vertex as usize >= vertex_count) {
@@ -54,12 +54,12 @@ impl Document {
         if let Some(vertex) = repeated(&spec.handles) {
             return Err(LaplacianError::Repeated { vertex }.into());
         }
-        let (handles, most) = (spec.handles.len(), MOST_RESPONSES / vertex_count);
+        let (handles, most) = (spec.handles.len(), MAX_RESPONSES / vertex_count);
         if handles > most { Err(StudioError::TooManyHandles { handles, most }) } else { Ok(()) }
     }
 
-    /// How many vertices the cage has, subdivided so many times: each time one more for each edge, whose halves and the
-    /// three edges inside each triangle are the next ones.
+    /// Number of vertices of the cage after `level` subdivisions. Each adds a vertex per edge; the next edges are the
+    /// halves of the edges and three inside each triangle.
     pub(super) fn vertices_at(&self, level: u32) -> Result<usize, StudioError> {
         if level > MAX_DENSITY {
             return Err(StudioError::TooDense { level, most: MAX_DENSITY });
@@ -74,7 +74,7 @@ impl Document {
     }
 }
 
-/// A vertex that is listed more than once.
+/// Returns a vertex that is listed more than once.
 fn repeated(vertices: &[u32]) -> Option<u32> {
     let mut seen = HashSet::new();
     vertices.iter().copied().find(|&vertex| !seen.insert(vertex))

@@ -4,32 +4,32 @@ use glam::DVec3;
 use rosto_laplacian::{LaplacianError, Response};
 
 use super::Document;
-use crate::expressed;
+use crate::expression_cache;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
 use crate::{Command, Details, EditSpec, Entry, EntryStatus, Expression, InfluenceWeights, StudioError, Switch};
 
-/// The spec's offsets and the positions they lead to, while vertices are being moved.
+/// The offsets being previewed and the resulting positions.
 #[derive(Clone)]
 pub(super) struct Preview {
     offsets: Vec<DVec3>,
-    /// Of the mesh that is shown.
+    /// Positions of the displayed mesh.
     positions: Vec<DVec3>,
     shape: LevelPositions,
-    /// Takes the next shape, which takes the other's place once it is whole.
+    /// Receives the next shape; swapped with `shape` once it is complete.
     next: LevelPositions,
     scratch: Scratch,
-    /// How much of which expressions, where they are what is under way.
+    /// Weights of the previewed expressions.
     weights: Vec<(Expression, f64)>,
-    under_way: UnderWay,
+    kind: PreviewKind,
 }
 
-/// What is being moved.
+/// The kind of edit in progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum UnderWay {
-    Nothing,
-    /// What is held.
+enum PreviewKind {
+    None,
+    /// The prepared edit.
     Prepared,
     Expressions,
 }
@@ -44,27 +44,27 @@ impl Preview {
             shape,
             scratch: Scratch::default(),
             weights: Vec::new(),
-            under_way: UnderWay::Nothing,
+            kind: PreviewKind::None,
         }
     }
 
-    /// Those of the mesh that is shown, while vertices are being moved.
+    /// Positions of the displayed mesh while an edit is in progress.
     pub(super) fn positions(&self) -> Option<&[DVec3]> {
-        (self.under_way != UnderWay::Nothing).then_some(&self.positions[..])
+        (self.kind != PreviewKind::None).then_some(&self.positions[..])
     }
 }
 
-/// The edit in progress.
+/// Methods of the edit in progress.
 impl Document {
-    /// Takes hold of vertices: one solve. An edit in progress is cancelled; the spec stays over commits, so that the
-    /// same vertices can be moved again without another solve.
+    /// Prepares an edit: one solve. Cancels an edit in progress. The prepared edit survives commits, so the same
+    /// vertices can be moved again without another solve.
     ///
     /// # Errors
-    /// [`StudioError`] if the spec has no answer; what was held stays held.
+    /// [`StudioError`] if the spec has no solution; the previously prepared edit is retained.
     pub fn prepare(&mut self, spec: EditSpec) -> Result<(), StudioError> {
         self.fault.check()?;
         if self.prepared.as_ref().is_none_or(|prepared| *prepared.spec() != spec) {
-            let mut prepared = self.made_ready(spec)?;
+            let mut prepared = self.prepare_edit(spec)?;
             let influence = self.influence_of(&mut prepared)?;
             (self.prepared, self.influence) = (Some(prepared), Some(influence));
         }
@@ -72,41 +72,41 @@ impl Document {
         Ok(())
     }
 
-    /// Lets go; an edit in progress is cancelled.
+    /// Releases the prepared edit and cancels an edit in progress.
     pub fn release(&mut self) {
         self.cancel();
         self.prepared = None;
         self.influence = None;
     }
 
-    /// The spec that is held.
+    /// The spec of the prepared edit.
     pub fn spec(&self) -> Option<&EditSpec> {
         self.prepared.as_ref().map(PreparedEdit::spec)
     }
 
-    /// All vertices that move by their own offset: the spec's handles, then the partners that the mirror adds.
+    /// The vertices that move by a given offset: the spec's handles, then the partners that the mirror adds.
     pub fn handles(&self) -> &[u32] {
         self.prepared.as_ref().map_or(&[], PreparedEdit::handles)
     }
 
-    /// The vertices that the spec keeps in place.
+    /// The vertices that the prepared edit keeps in place.
     pub fn anchors(&self) -> &[u32] {
         self.prepared.as_ref().map_or(&[], PreparedEdit::anchors)
     }
 
-    /// How every vertex of the spec's level follows each of [`Self::handles`], if details keep their direction.
+    /// Response of each vertex of the spec's level to each of [`Self::handles`], if details keep their direction.
     pub fn response(&self) -> Option<&Response> {
         self.prepared.as_ref().map(PreparedEdit::response)
     }
 
-    /// How every vertex shown follows the spec's handles when they move by one offset and details keep their direction.
-    /// Where details turn, the first guess that they start from.
+    /// Influence of the spec's handles on each displayed vertex when they move by one common offset and details keep
+    /// their direction. If details rotate, it is the initial guess of the solver.
     pub fn influence(&self) -> Option<&InfluenceWeights> {
         self.influence.as_ref()
     }
 
-    /// How far each vertex shown is from what is held, along the surface at rest: 1 where an edit ends. None while nothing
-    /// is held, or what is held moves the whole mesh.
+    /// Distance of each displayed vertex from the handles along the surface at rest; 1 is the influence radius. `None`
+    /// without a prepared edit or if it affects the whole mesh.
     pub fn influence_distances(&self) -> Option<Vec<f64>> {
         let prepared = self.prepared.as_ref()?;
         let steps = &self.levels[prepared.spec().level as usize..self.density as usize];
@@ -117,22 +117,22 @@ impl Document {
         )
     }
 
-    /// Moves what is held by one offset for each of the spec's handles, counted from the last commit, in the document's
-    /// unit. Unless details turn: no solve and, after the first call, no allocation.
+    /// Moves the spec's handles by one offset each, relative to the last commit and in the document's unit. Unless
+    /// details rotate, there is no solve and, after the first call, no allocation.
     ///
     /// # Errors
     /// [`StudioError::NothingPrepared`], [`StudioError::WrongOffsetCount`] or [`StudioError::OffsetNotFinite`], or
-    /// [`StudioError::Laplacian`] for details that find no rest. What was moved before stays where it was.
+    /// [`StudioError::Laplacian`] if rotating details do not converge. The previous preview is retained.
     pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
         self.fault.check()?;
         let prepared = self.prepared.as_ref().ok_or(StudioError::NothingPrepared)?;
         if prepared.is_stale() {
-            self.prepared = Some(self.made_ready(prepared.spec().clone())?);
+            self.prepared = Some(self.prepare_edit(prepared.spec().clone())?);
         }
         let prepared = self.prepared.as_mut().ok_or(StudioError::NothingPrepared)?;
         let (from, preview) = (self.replayed.last(), &mut self.preview);
         prepared.check(offsets)?;
-        if let Some(influence) = carried(&self.influence, prepared, offsets, self.density) {
+        if let Some(influence) = uniform_influence(&self.influence, prepared, offsets, self.density) {
             influence.displace(from.densest(), offsets[0], &mut preview.positions);
         } else {
             preview.next.displace(&self.levels, from, prepared, offsets, &mut preview.scratch)?;
@@ -141,42 +141,47 @@ impl Document {
         }
         self.preview.offsets.clear();
         self.preview.offsets.extend_from_slice(offsets);
-        self.preview.under_way = UnderWay::Prepared;
+        self.preview.kind = PreviewKind::Prepared;
         Ok(())
     }
 
-    /// Adds so much of each expression to the shape after the last commit; what is held stays held, and does not move. No solve
-    /// but for the first time that one is asked for.
+    /// Adds expressions, by weight, to the shape after the last commit. The prepared edit is retained and does not
+    /// move. Solves only for expressions that have not been computed yet.
     ///
     /// # Errors
-    /// [`StudioError::NoExpressions`], [`StudioError::Weight`], or [`StudioError::Laplacian`] for a face that has no answer.
-    /// What was moved before stays where it was.
+    /// [`StudioError::NoExpressions`], [`StudioError::Weight`], or [`StudioError::Laplacian`] if the face has no
+    /// solution. The previous preview is retained.
     pub fn preview_expressions(&mut self, weights: &[(Expression, f64)]) -> Result<(), StudioError> {
         self.fault.check()?;
         for &(expression, weight) in weights {
             self.check_expression(weight)?;
-            expressed::prepare(&mut self.levels, self.density, expression)?;
+            expression_cache::prepare(&mut self.levels, self.density, expression)?;
         }
         let (from, preview) = (self.replayed.last().densest(), &mut self.preview);
         preview.positions.copy_from_slice(from);
         for &(expression, weight) in weights {
-            let ways = self.levels[self.density as usize].expressed().ways(expression).unwrap_or_default();
-            preview.positions.iter_mut().zip(ways).for_each(|(position, way)| *position += weight * *way);
+            let displacements =
+                self.levels[self.density as usize].expression_cache().displacements(expression).unwrap_or_default();
+            preview
+                .positions
+                .iter_mut()
+                .zip(displacements)
+                .for_each(|(position, displacement)| *position += weight * *displacement);
         }
         preview.weights.clear();
         preview.weights.extend_from_slice(weights);
-        preview.under_way = UnderWay::Expressions;
+        preview.kind = PreviewKind::Expressions;
         Ok(())
     }
 
-    /// Makes the edit in progress one entry of the history; what was undone is forgotten. Expressions become an entry each, with
-    /// their own labels, and one change. Without an edit in progress, nothing happens.
+    /// Adds the edit in progress to the history as one entry and discards undone changes. Expressions become one entry
+    /// each, labelled with their ids, and one change. Does nothing without an edit in progress.
     pub fn commit(&mut self, label: &str) {
-        if self.preview.under_way == UnderWay::Expressions {
+        if self.preview.kind == PreviewKind::Expressions {
             self.commit_expressions();
-        } else if let (UnderWay::Prepared, Some(prepared)) = (self.preview.under_way, &mut self.prepared) {
+        } else if let (PreviewKind::Prepared, Some(prepared)) = (self.preview.kind, &mut self.prepared) {
             let (from, preview) = (self.replayed.last(), &mut self.preview);
-            if carried(&self.influence, prepared, &preview.offsets, self.density).is_some() {
+            if uniform_influence(&self.influence, prepared, &preview.offsets, self.density).is_some() {
                 let moved =
                     preview.shape.displace(&self.levels, from, prepared, &preview.offsets, &mut preview.scratch);
                 moved.expect("invariant: the preview has checked these offsets");
@@ -185,7 +190,7 @@ impl Document {
             self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
             self.replayed.push(Arc::new(self.preview.shape.clone()), EntryStatus::InForce);
         }
-        self.settle_down();
+        self.end_preview();
     }
 
     fn commit_expressions(&mut self) {
@@ -203,35 +208,35 @@ impl Document {
         self.history.push_all(entries);
     }
 
-    /// Drops the edit in progress; the spec stays.
+    /// Discards the edit in progress; the prepared edit is retained.
     pub fn cancel(&mut self) {
-        self.preview.under_way = UnderWay::Nothing;
+        self.preview.kind = PreviewKind::None;
     }
 
-    /// Ends the edit in progress after the start of the next one has changed.
-    pub(super) fn settle_down(&mut self) {
+    /// Ends the edit in progress because the positions that the next one starts from have changed.
+    pub(super) fn end_preview(&mut self) {
         self.cancel();
         if let Some(prepared) = &mut self.prepared {
             prepared.start_changed();
         }
     }
 
-    fn made_ready(&mut self, spec: EditSpec) -> Result<PreparedEdit, StudioError> {
-        self.check_grip(&spec)?;
-        made_ready(&mut self.levels, self.density, self.replayed.last(), spec)
+    fn prepare_edit(&mut self, spec: EditSpec) -> Result<PreparedEdit, StudioError> {
+        self.check_spec(&spec)?;
+        prepare_edit(&mut self.levels, self.density, self.replayed.last(), spec)
     }
 
-    /// What [`Self::influence`] says of a spec.
+    /// Computes [`Self::influence`] for a prepared edit.
     fn influence_of(&mut self, prepared: &mut PreparedEdit) -> Result<InfluenceWeights, StudioError> {
         let from = self.replayed.last();
-        let mut kept = None;
+        let mut first_guess = None;
         if prepared.spec().settings.details == Details::AsRigidAsPossible {
             let mut spec = prepared.spec().clone();
             spec.settings.details = Details::Kept;
-            kept = Some(made_ready(&mut self.levels, self.density, from, spec)?);
+            first_guess = Some(prepare_edit(&mut self.levels, self.density, from, spec)?);
         }
-        let prepared = kept.as_mut().unwrap_or(prepared);
-        // Not the preview's own: an edit in progress stays as it is should this fail.
+        let prepared = first_guess.as_mut().unwrap_or(prepared);
+        // Separate buffers: the preview stays unchanged if this fails.
         let (mut shape, mut scratch) = (LevelPositions::clone(from), Scratch::default());
         let handles = prepared.spec().handles.len();
         let mut along = |axis: DVec3| {
@@ -239,14 +244,14 @@ impl Document {
             Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
         };
         let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
-        match along_x.iter().chain(&along_y).position(|way| !way.is_finite()) {
-            Some(place) => Err(LaplacianError::NotFinite { vertex: (place % along_x.len()) as u32 }.into()),
+        match along_x.iter().chain(&along_y).position(|displacement| !displacement.is_finite()) {
+            Some(index) => Err(LaplacianError::NotFinite { vertex: (index % along_x.len()) as u32 }.into()),
             None => Ok(InfluenceWeights::from_displacements(&along_x, &along_y)),
         }
     }
 }
 
-pub(super) fn made_ready(
+pub(super) fn prepare_edit(
     levels: &mut [Level],
     density: u32,
     from: &LevelPositions,
@@ -259,9 +264,10 @@ pub(super) fn made_ready(
     PreparedEdit::new(spec, &mut levels[level as usize], from.at(level))
 }
 
-/// The short way from a spec to a denser mesh that is shown: what each tick would else carry over, level by level. Equal
-/// to it but for rounding, so that a commit takes the long way, as a replay does.
-fn carried<'a>(
+/// Influence weights that replace the interpolation from level to level during a tick, if they apply: the handles share
+/// one offset, the displayed mesh is denser than the spec's, and details keep their direction. They equal the
+/// interpolation up to rounding; a commit interpolates, so that a replay gives the same bits.
+fn uniform_influence<'a>(
     influence: &'a Option<InfluenceWeights>,
     prepared: &PreparedEdit,
     offsets: &[DVec3],

@@ -1,78 +1,78 @@
 use std::sync::Arc;
 
 use super::Document;
-use super::editing::made_ready;
-use crate::expressed;
+use super::editing::prepare_edit;
+use crate::expression_cache;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
 use crate::{Command, EditTarget, Entry, EntryStatus, History, StudioError, Switch};
 
-/// What was done, undone and switched. An entry that has no answer on the mesh that is shown is passed over, so that none
-/// of these can fail half-way.
+/// Applying, undoing and switching commands. Entries that cannot be applied to the displayed mesh are skipped, so that
+/// none of these operations stops halfway.
 impl Document {
-    /// The history.
+    /// The commands applied so far.
     pub fn history(&self) -> &History {
         &self.history
     }
 
-    /// How an entry of the history takes part in the shape that is shown; none where there is no such entry.
+    /// Status of an entry on the displayed mesh; `None` if there is no such entry.
     pub fn status(&self, index: usize) -> Option<&EntryStatus> {
         self.replayed.status(index)
     }
 
-    /// Carries out a command as one entry of the history.
+    /// Applies a command as one entry of the history.
     ///
     /// # Errors
-    /// [`StudioError`] if it has no answer; the document is as before.
+    /// [`StudioError`] if it has no solution; the document is unchanged.
     pub fn apply(&mut self, label: &str, command: Command) -> Result<(), StudioError> {
         self.fault.check()?;
         let entry = Entry { label: label.to_owned(), command, switch: Switch::On };
         self.check(&entry)?;
         let from = self.replayed.last();
-        let (shape, status) = carried_out(&mut self.levels, self.density, from, &entry, &mut Latest::default());
+        let (shape, status) = replayed(&mut self.levels, self.density, from, &entry, &mut Latest::default());
         if let EntryStatus::Impossible(reason) = status {
             return Err(reason);
         }
         self.history.push(entry);
         self.replayed.push(shape, status);
-        self.settle_down();
+        self.end_preview();
         Ok(())
     }
 
-    /// What a command would displace the mesh that is shown by, if it were carried out now.
+    /// Displacement of the displayed mesh that a command would cause now.
     ///
     /// # Errors
-    /// [`StudioError`] if it has no answer.
+    /// [`StudioError`] if it has no solution.
     pub fn displacement(&mut self, command: &Command) -> Result<Vec<glam::DVec3>, StudioError> {
         self.fault.check()?;
         let from = self.replayed.last();
-        let to = moved(&mut self.levels, self.density, from, command, &mut Latest::default())?;
+        let to = applied(&mut self.levels, self.density, from, command, &mut Latest::default())?;
         Ok(to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
     }
 
-    /// Takes the last change of the history back: an entry added, entries switched, or all taken away. Returns the first
-    /// entry that is no longer what it was; nothing where there was no change.
+    /// Undoes the last change of the history: an added entry, switched entries, or a reset. Returns the index of the
+    /// first entry that changed; `None` if there was no change.
     pub fn undo(&mut self) -> Option<usize> {
         let first = self.history.undo()?;
-        self.follow_history(first);
+        self.replay_from(first);
         Some(first)
     }
 
-    /// Brings the last undone change back. Returns the first entry that is no longer what it was.
+    /// Redoes the last undone change. Returns the index of the first entry that changed.
     pub fn redo(&mut self) -> Option<usize> {
         let first = self.history.redo()?;
-        self.follow_history(first);
+        self.replay_from(first);
         Some(first)
     }
 
-    /// Takes all entries away.
+    /// Removes all entries.
     pub fn reset(&mut self) {
         self.history.clear();
-        self.follow_history(0);
+        self.replay_from(0);
     }
 
-    /// Switches an entry on or off; those after it are carried out again. Returns the entry if it was not so already.
+    /// Switches an entry on or off and replays those after it. Returns the entry's index if it changed.
     ///
     /// # Errors
     /// [`StudioError::NoSuchEntry`].
@@ -81,45 +81,45 @@ impl Document {
         if index >= count {
             return Err(StudioError::NoSuchEntry { index, count });
         }
-        Ok(self.switch_where(|place, _| place == index, switch))
+        Ok(self.switch_where(|at, _| at == index, switch))
     }
 
-    /// Switches every entry that works on `target` off, as one change. Returns the first that was on.
+    /// Switches off each entry that edits `target`, as one change. Returns the index of the first that was on.
     pub fn switch_off(&mut self, target: EditTarget) -> Option<usize> {
         self.switch_where(|_, entry| entry.command.target() == target, Switch::Off)
     }
 
-    /// Switches every entry of an expression off, as one change. Returns the first that was on.
+    /// Switches off each expression, as one change. Returns the index of the first that was on.
     pub fn come_to_rest(&mut self) -> Option<usize> {
         self.switch_where(|_, entry| matches!(entry.command, Command::Express { .. }), Switch::Off)
     }
 
     fn switch_where(&mut self, which: impl Fn(usize, &Entry) -> bool, switch: Switch) -> Option<usize> {
         let first = self.history.switch(which, switch)?;
-        self.follow_history(first);
+        self.replay_from(first);
         Some(first)
     }
 
-    /// Carries the entries from `first` on out again.
-    pub(super) fn follow_history(&mut self, first: usize) {
+    /// Replays the entries from `first` on.
+    pub(super) fn replay_from(&mut self, first: usize) {
         self.replayed.truncate(first);
         let mut latest = Latest::default();
         for entry in &self.history.entries()[self.replayed.count()..] {
             let from = self.replayed.last();
-            let (shape, status) = carried_out(&mut self.levels, self.density, from, entry, &mut latest);
+            let (shape, status) = replayed(&mut self.levels, self.density, from, entry, &mut latest);
             self.replayed.push(shape, status);
         }
-        self.settle_down();
+        self.end_preview();
     }
 
-    /// What each entry displaced the mesh that is shown by; they add up to the way from [`Self::rest`] to
-    /// [`Self::committed`].
+    /// Displacement of the displayed mesh by each entry. They add up to the difference between [`Self::committed`] and
+    /// [`Self::rest`].
     pub fn displacements(&mut self) -> Vec<Vec<glam::DVec3>> {
         let mut from = Arc::clone(self.replayed.unedited());
         let mut layers = Vec::with_capacity(self.history.entries().len());
         let mut latest = Latest::default();
         for entry in self.history.entries() {
-            let (to, _) = carried_out(&mut self.levels, self.density, &from, entry, &mut latest);
+            let (to, _) = replayed(&mut self.levels, self.density, &from, entry, &mut latest);
             layers.push(to.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect());
             from = to;
         }
@@ -127,15 +127,15 @@ impl Document {
     }
 }
 
-/// What carrying out one entry leaves for the next: often the same is moved again.
+/// State that applying one entry leaves for the next: consecutive entries often share a spec.
 #[derive(Default)]
 struct Latest {
     prepared: Option<PreparedEdit>,
     scratch: Scratch,
 }
 
-/// The shape that `entry` makes of the one before it: that one itself, unless the entry is in force.
-fn carried_out(
+/// Applies `entry` to the shape before it. Returns that shape unchanged unless the entry is in force.
+fn replayed(
     levels: &mut [Level],
     density: u32,
     from: &Arc<LevelPositions>,
@@ -145,7 +145,7 @@ fn carried_out(
     let status = match &entry.command {
         _ if entry.switch == Switch::Off => EntryStatus::Off,
         Command::Move { spec, .. } if spec.level > density => EntryStatus::Waits { level: spec.level },
-        command => match moved(levels, density, from, command, latest) {
+        command => match applied(levels, density, from, command, latest) {
             Ok(shape) => return (Arc::new(shape), EntryStatus::InForce),
             Err(reason) => EntryStatus::Impossible(reason),
         },
@@ -153,7 +153,7 @@ fn carried_out(
     (Arc::clone(from), status)
 }
 
-fn moved(
+fn applied(
     levels: &mut [Level],
     density: u32,
     from: &LevelPositions,
@@ -163,14 +163,15 @@ fn moved(
     let mut shape = from.clone();
     match command {
         Command::Move { spec, offsets } => {
-            let known = latest.prepared.take().filter(|prepared| prepared.spec() == spec && !prepared.turns_details());
-            let mut prepared = known.map_or_else(|| made_ready(levels, density, from, spec.clone()), Ok)?;
+            let reusable =
+                latest.prepared.take().filter(|prepared| prepared.spec() == spec && !prepared.turns_details());
+            let mut prepared = reusable.map_or_else(|| prepare_edit(levels, density, from, spec.clone()), Ok)?;
             shape.displace(levels, from, &mut prepared, offsets, &mut latest.scratch)?;
             latest.prepared = Some(prepared);
         }
         &Command::Symmetrise { share } => shape.symmetrise(levels, share)?,
         &Command::Express { expression, weight } => {
-            expressed::prepare(levels, density, expression)?;
+            expression_cache::prepare(levels, density, expression)?;
             shape.express(levels, expression, weight);
         }
     }

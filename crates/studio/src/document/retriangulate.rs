@@ -8,12 +8,13 @@ use crate::mirror::{MirrorTable, reflected};
 use crate::{Command, EditSpec, Mirror, StudioError};
 
 impl Document {
-    /// A document over the same landmarks, joined by other triangles or at other places, that goes on with the history of this one and with
-    /// all that was undone. What was done to points of a denser mesh is done to those nearest to them there.
+    /// Creates a document with the same landmarks and another triangulation or other positions. It continues this
+    /// document's history, including undone changes. Edits of points of a denser mesh move to the nearest points of the
+    /// new one.
     ///
     /// # Errors
-    /// [`StudioError::Laplacian`] for positions that do not fit the mesh or are not finite. Entries that have no answer on
-    /// that mesh are passed over.
+    /// [`StudioError::Laplacian`] if the positions do not fit the mesh or are not finite. Entries that cannot be
+    /// applied to the new mesh are skipped.
     pub fn over(&mut self, rest: Rest) -> Result<Self, StudioError> {
         self.fault.check()?;
         let mut document = Self::new(rest)?;
@@ -24,9 +25,9 @@ impl Document {
         });
         let highest = levels.filter(|level| *level <= MAX_DENSITY).max().unwrap_or(0);
         if self.levels[0].topology() == document.levels[0].topology() {
-            // The same vertices, at other places.
+            // Same vertices, other positions.
             document.history = self.history.clone();
-            document.follow_history(0);
+            document.replay_from(0);
             return Ok(document);
         }
         self.subdivide_to(highest);
@@ -36,40 +37,40 @@ impl Document {
                 && (1..=highest).contains(&spec.level)
             {
                 let level = spec.level as usize;
-                carry_over(spec, offsets, &self.levels[level], &document.levels[level]);
+                transfer(spec, offsets, &self.levels[level], &document.levels[level]);
             }
         });
         document.history = history;
-        document.follow_history(0);
+        document.replay_from(0);
         Ok(document)
     }
 }
 
-fn carry_over(spec: &mut EditSpec, offsets: &mut Vec<DVec3>, from: &Level, to: &Level) {
+fn transfer(spec: &mut EditSpec, offsets: &mut Vec<DVec3>, from: &Level, to: &Level) {
     if spec.settings.mirror == Mirror::On
         && to.mirror().is_err()
         && let Ok(table) = from.mirror()
     {
         spell_out_mirror(spec, offsets, table);
     }
-    let found = |vertex: u32| match from.rest().get(vertex as usize) {
-        Some(place) => nearest(to.rest(), *place).unwrap_or(vertex),
+    let nearest_vertex = |vertex: u32| match from.rest().get(vertex as usize) {
+        Some(position) => nearest(to.rest(), *position).unwrap_or(vertex),
         None => vertex,
     };
-    let handles: Vec<u32> = spec.handles.iter().map(|handle| found(*handle)).collect();
+    let handles: Vec<u32> = spec.handles.iter().map(|handle| nearest_vertex(*handle)).collect();
     (spec.handles, *offsets) = merged(&handles, offsets);
     let pins = &mut spec.settings.anchors.pins;
-    pins.iter_mut().for_each(|pin| *pin = found(*pin));
+    pins.iter_mut().for_each(|pin| *pin = nearest_vertex(*pin));
     pins.sort_unstable();
     pins.dedup();
     pins.retain(|pin| !spec.handles.contains(pin));
 }
 
-/// Each handle once: those that have come to lie on one vertex move it by the mean of their offsets.
+/// Removes repeated handles: those that map to one vertex move it by the mean of their offsets.
 fn merged(handles: &[u32], offsets: &[DVec3]) -> (Vec<u32>, Vec<DVec3>) {
     let mut merged: Vec<(u32, DVec3, f64)> = Vec::with_capacity(handles.len());
     for (handle, offset) in handles.iter().zip(offsets) {
-        match merged.iter_mut().find(|(known, ..)| known == handle) {
+        match merged.iter_mut().find(|(vertex, ..)| vertex == handle) {
             Some((_, sum, count)) => (*sum, *count) = (*sum + *offset, *count + 1.0),
             None => merged.push((*handle, *offset, 1.0)),
         }
@@ -77,7 +78,7 @@ fn merged(handles: &[u32], offsets: &[DVec3]) -> (Vec<u32>, Vec<DVec3>) {
     merged.into_iter().map(|(handle, sum, count)| (handle, sum / count)).unzip()
 }
 
-/// Where the other mesh has no mirror images, partners become handles of their own.
+/// Adds partners as explicit handles, for a mesh whose triangles are not symmetric.
 fn spell_out_mirror(spec: &mut EditSpec, offsets: &mut Vec<DVec3>, table: &MirrorTable) {
     let given = spec.handles.len();
     spec.handles = table.closure(&spec.handles);
@@ -87,8 +88,8 @@ fn spell_out_mirror(spec: &mut EditSpec, offsets: &mut Vec<DVec3>, table: &Mirro
         }
     }
     let added = spec.handles[given..].iter().map(|handle| {
-        let place = spec.handles[..given].iter().position(|given| table.partner(*given) == *handle);
-        reflected(offsets[place.expect("invariant: a partner was added for one of the handles")])
+        let position = spec.handles[..given].iter().position(|given| table.partner(*given) == *handle);
+        reflected(offsets[position.expect("invariant: a partner was added for one of the handles")])
     });
     let added: Vec<DVec3> = added.collect();
     offsets.extend(added);

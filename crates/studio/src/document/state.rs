@@ -4,7 +4,7 @@ use super::replay_cache::ReplayCache;
 use crate::prepared_edit::PreparedEdit;
 use crate::{History, InfluenceWeights};
 
-/// What a document holds, apart from the factors of its meshes: a copy to go back to.
+/// Snapshot of a document, without the factorisations of its meshes.
 pub struct DocumentState {
     density: u32,
     history: History,
@@ -15,7 +15,7 @@ pub struct DocumentState {
 }
 
 impl Document {
-    /// A copy of what it holds now, with the edit in progress.
+    /// Takes a snapshot, including the edit in progress.
     pub fn state(&self) -> DocumentState {
         DocumentState {
             density: self.density,
@@ -27,20 +27,20 @@ impl Document {
         }
     }
 
-    /// Goes back to what this document held.
+    /// Restores a snapshot of this document.
     pub fn restore(&mut self, state: DocumentState) {
         let DocumentState { density, history, replayed, prepared, influence, preview } = state;
         (self.density, self.history, self.replayed) = (density, history, replayed);
         (self.prepared, self.influence, self.preview) = (prepared, influence, preview);
     }
 
-    /// Has the call after the next `calls` fallible ones fail, whatever it is.
+    /// Makes the fallible call after the next `calls` ones fail.
     #[cfg(feature = "faults")]
     pub fn fail_after(&mut self, calls: u32) {
         self.fault.calls_until = Some(calls);
     }
 
-    /// Whether that failure is still to come.
+    /// Whether that failure is still pending.
     #[cfg(feature = "faults")]
     pub fn is_to_fail(&self) -> bool {
         self.fault.calls_until.is_some()

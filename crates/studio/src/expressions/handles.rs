@@ -4,100 +4,105 @@ use glam::DVec3;
 use rosto_face::{Area, mirror_of};
 
 use super::lids;
-use super::table::{Definition, Extent, Way};
+use super::table::{Definition, Extent, Motion};
 use super::{Expression, table};
 use crate::mirror::reflected;
 
-/// The tangent of half the angle that the jaw opens by at 1: some 14°.
+/// Tangent of half the jaw's opening angle at weight 1 (about 14°).
 const HALF_TURN: f64 = 0.12;
-/// How far the jaw's hinge slides down and forward as it opens, in mm of the canonical face.
+/// Slide of the jaw's hinge down and forward as it opens, in mm of the canonical face.
 const SLIDE_MM: DVec3 = DVec3::new(0.0, -5.0, 9.0);
-/// Before the ears: the hinge lies between the two.
+/// Landmarks in front of the ears; the hinge lies midway between them.
 const TEMPLES: [usize; 2] = [234, 454];
 
-/// What an expression says of a face before it is solved.
-pub(super) struct Authored {
-    /// Landmarks that are moved or stay.
-    pub known: Vec<u32>,
-    /// One way for each of them, in metres.
+/// Prescribed displacements of an expression: the boundary conditions of its solve.
+pub(super) struct Prescribed {
+    /// Landmarks that are moved or fixed.
+    pub landmarks: Vec<u32>,
+    /// Displacement of each of them, in metres.
     pub displacements_m: Vec<DVec3>,
 }
 
-/// A face as a table sees it: the subject's right is its right, even where the table is that of the left.
-struct Seen<'a> {
+/// A face as seen by a table of the right side; reflected for an expression of the left.
+struct TableFace<'a> {
     rest_m: &'a [DVec3],
     is_mirrored: bool,
-    /// Metres of this face for a millimetre of the canonical one.
+    /// Metres on this face per millimetre of the canonical face.
     unit_m: f64,
 }
 
-impl Authored {
-    /// Tables are those of the right; the left is seen in the mirror.
+impl Prescribed {
+    /// Tables describe the right side; expressions of the left use the reflected face.
     pub(super) fn of(expression: Expression, rest_m: &[DVec3], canonical_m: &[DVec3]) -> Self {
         let (definition, is_mirrored) = table::definition(expression);
         let unit_m = 1e-3 * definition.sized_by.of(rest_m) / definition.sized_by.of(canonical_m);
-        let face = Seen { rest_m, is_mirrored, unit_m };
-        let mut ways = face.resting(&definition);
-        face.move_handles(&definition, &mut ways);
+        let face = TableFace { rest_m, is_mirrored, unit_m };
+        let mut displacements_m = face.fixed(&definition);
+        face.move_handles(&definition, &mut displacements_m);
         let back = |landmark: u32| if is_mirrored { mirror_of(landmark) } else { landmark };
-        let way_back = |way: DVec3| if is_mirrored { reflected(way) } else { way };
-        let known = ways.keys().map(|&landmark| back(landmark)).collect();
-        Self { known, displacements_m: ways.into_values().map(way_back).collect() }
+        let reflected_back = |vector: DVec3| if is_mirrored { reflected(vector) } else { vector };
+        let landmarks = displacements_m.keys().map(|&landmark| back(landmark)).collect();
+        Self { landmarks, displacements_m: displacements_m.into_values().map(reflected_back).collect() }
     }
 }
 
-impl Seen<'_> {
-    /// Whatever is not to follow, and the pins.
-    fn resting(&self, definition: &Definition) -> BTreeMap<u32, DVec3> {
+impl TableFace<'_> {
+    /// Zero displacement for the pins and for landmarks that do not follow the handles.
+    fn fixed(&self, definition: &Definition) -> BTreeMap<u32, DVec3> {
         let follows = |landmark: u32| {
             let right = landmark.min(mirror_of(landmark));
             let is_on_side = definition.extent != Extent::Half || right == landmark;
-            let holds = |area: &Area| area.right_half().iter().any(|&member| u32::from(member) == right);
-            is_on_side && definition.follow.iter().any(holds)
+            let contains = |area: &Area| area.right_half().iter().any(|&member| u32::from(member) == right);
+            is_on_side && definition.follow.iter().any(contains)
         };
         let pinned = definition.pins.iter().flat_map(|&pin| [pin, mirror_of(pin)]);
         let rest = (0..self.rest_m.len() as u32).filter(|&landmark| !follows(landmark));
         rest.chain(pinned).map(|landmark| (landmark, DVec3::ZERO)).collect()
     }
 
-    fn move_handles(&self, definition: &Definition, ways: &mut BTreeMap<u32, DVec3>) {
-        for (landmarks, way) in definition.handles {
+    fn move_handles(&self, definition: &Definition, displacements_m: &mut BTreeMap<u32, DVec3>) {
+        for (landmarks, motion) in definition.handles {
             for &landmark in *landmarks {
-                let way_m = self.way_m(landmark, *way);
+                let displacement_m = self.displacement_m(landmark, *motion);
                 let partner = mirror_of(landmark);
-                ways.insert(landmark, way_m);
+                displacements_m.insert(landmark, displacement_m);
                 match definition.extent {
                     _ if partner == landmark => {}
                     Extent::Half => {}
-                    Extent::Both => _ = ways.insert(partner, reflected(self.seen_in_mirror().way_m(landmark, *way))),
+                    Extent::Both => {
+                        _ = displacements_m
+                            .insert(partner, reflected(self.mirrored().displacement_m(landmark, *motion)))
+                    }
                     Extent::Sideways => {
-                        let way_m = reflected(self.seen_in_mirror().way_m(landmark, *way));
-                        ways.insert(partner, DVec3::new(-way_m.x, way_m.y, way_m.z));
+                        let displacement_m = reflected(self.mirrored().displacement_m(landmark, *motion));
+                        displacements_m
+                            .insert(partner, DVec3::new(-displacement_m.x, displacement_m.y, displacement_m.z));
                     }
                 }
             }
         }
     }
 
-    fn way_m(&self, landmark: u32, way: Way) -> DVec3 {
-        match way {
-            Way::By(way_mm) => DVec3::from(way_mm) * self.unit_m,
-            Way::Lid(share) => lids::way_m(|lid| self.at(lid), landmark, self.unit_m) * share,
-            Way::Jaw(share, way_mm) => self.jaw_m(landmark) * share + DVec3::from(way_mm) * self.unit_m,
-            Way::Seal(below, share) => self.jaw_m(below) * share,
+    fn displacement_m(&self, landmark: u32, motion: Motion) -> DVec3 {
+        match motion {
+            Motion::By(offset_mm) => DVec3::from(offset_mm) * self.unit_m,
+            Motion::Lid(share) => lids::displacement_m(|lid| self.at(lid), landmark, self.unit_m) * share,
+            Motion::Jaw(share, offset_mm) => self.jaw_m(landmark) * share + DVec3::from(offset_mm) * self.unit_m,
+            Motion::Seal(below, share) => self.jaw_m(below) * share,
         }
     }
 
-    /// A landmark's way as the jaw opens: it turns about its hinge, which slides down and forward.
+    /// Displacement of a landmark as the jaw opens: a rotation about the hinge, which slides down and forward.
     fn jaw_m(&self, landmark: u32) -> DVec3 {
         let hinge = (self.rest_m[TEMPLES[0]] + self.rest_m[TEMPLES[1]]) / 2.0;
         let arm = self.at(landmark) - DVec3::new(0.0, hinge.y, hinge.z);
-        let whole = 1.0 + HALF_TURN * HALF_TURN;
-        let (less, sine) = (2.0 * HALF_TURN * HALF_TURN / whole, 2.0 * HALF_TURN / whole);
-        DVec3::new(0.0, -less * arm.y - sine * arm.z, sine * arm.y - less * arm.z) + SLIDE_MM * self.unit_m
+        let denominator = 1.0 + HALF_TURN * HALF_TURN;
+        let (one_minus_cosine, sine) = (2.0 * HALF_TURN * HALF_TURN / denominator, 2.0 * HALF_TURN / denominator);
+        DVec3::new(0.0, -one_minus_cosine * arm.y - sine * arm.z, sine * arm.y - one_minus_cosine * arm.z)
+            + SLIDE_MM * self.unit_m
     }
 
-    /// Where a landmark of the table is.
+    /// Position of a landmark of the table.
     fn at(&self, landmark: u32) -> DVec3 {
         match self.is_mirrored {
             true => reflected(self.rest_m[mirror_of(landmark) as usize]),
@@ -105,7 +110,7 @@ impl Seen<'_> {
         }
     }
 
-    fn seen_in_mirror(&self) -> Self {
+    fn mirrored(&self) -> Self {
         Self { is_mirrored: !self.is_mirrored, ..*self }
     }
 }

@@ -2,46 +2,46 @@ use rosto_face::{Area, Measure};
 
 use super::Expression;
 
-/// An expression in full. Handles and pins are landmarks of the midline and of the subject's right; that of the left is its
-/// mirror image.
+/// Definition of an expression. Handles and pins are landmarks of the midline and of the subject's right; expressions
+/// of the left are mirror images.
 pub(super) struct Definition {
-    /// Ways in mm are those of the canonical face; another face's are as much longer as this measure of it is.
+    /// Measure that scales lengths from the canonical face to another face.
     pub sized_by: Measure,
-    /// Where it takes place.
+    /// Sides on which it acts.
     pub extent: Extent,
-    /// The parts of the face that follow the handles; the rest of the face stays.
+    /// Areas that follow the handles; the rest of the face stays.
     pub follow: &'static [Area],
-    /// Landmarks that stay although their part follows.
+    /// Landmarks that stay although their area follows.
     pub pins: &'static [u32],
-    /// What is moved, and how.
-    pub handles: &'static [(&'static [u32], Way)],
+    /// The moved landmarks and their motions.
+    pub handles: &'static [(&'static [u32], Motion)],
 }
 
-/// On which sides of the face an expression takes place.
+/// Sides of the face on which an expression acts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Extent {
-    /// On one side.
+    /// One side.
     Half,
-    /// On both, mirror images of each other.
+    /// Both sides, as mirror images.
     Both,
-    /// On both, which go the same way sideways.
+    /// Both sides, in the same sideways direction.
     Sideways,
 }
 
-/// How a handle is moved.
+/// Motion of a handle.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Way {
-    /// By so many mm: +X to the subject's left, +Y up, +Z out of the face.
+pub(super) enum Motion {
+    /// Offset in mm: +X to the subject's left, +Y up, +Z out of the face.
     By([f64; 3]),
-    /// A share of the way to where the lids meet.
+    /// Share of the displacement that closes the lids.
     Lid(f64),
-    /// A share of the jaw's turn as it opens, and so many mm beside it.
+    /// Share of the jaw's rotation, plus an offset in mm.
     Jaw(f64, [f64; 3]),
-    /// A share of the way that the jaw would take another landmark.
+    /// Share of another landmark's displacement by the jaw.
     Seal(u32, f64),
 }
 
-/// Upper, lower: the lips by columns from the middle to the corner.
+/// Columns of the upper and lower lip, from the middle to the corner.
 const UP: [&[u32]; 5] =
     [&[0, 11, 12, 13], &[37, 72, 38, 82], &[39, 73, 41, 81], &[40, 74, 42, 80], &[185, 184, 183, 191]];
 const LOW: [&[u32]; 5] =
@@ -72,25 +72,25 @@ const MOUTH: &[Area] = &[
 ];
 const LOWER_LIP: &[Area] = &[Area::LowerLip, Area::MouthCorner, Area::ChinCrease, Area::Chin, Area::SmileLine];
 const UPPER_LIP: &[Area] = &[Area::UpperLip, Area::MouthCorner, Area::Philtrum, Area::SmileLine];
-/// The edge of the upper lid.
+/// Edge of the upper lid.
 const UPPER_EDGE: &[u32] = &[246, 161, 160, 159, 158, 157, 173];
-/// The edge of the lower lid.
+/// Edge of the lower lid.
 const LOWER_EDGE: &[u32] = &[7, 163, 144, 145, 153, 154, 155];
 
-/// The definition of the right's expression, and whether it is the left's that was asked for.
+/// The definition for the right side, and whether to mirror it to the left.
 pub(super) fn definition(expression: Expression) -> (Definition, bool) {
     let mirrored = expression.mirrored();
     let is_left = mirrored != expression && expression.id().ends_with("Left");
-    (of_right(if is_left { mirrored } else { expression }), is_left)
+    (right_side(if is_left { mirrored } else { expression }), is_left)
 }
 
-/// The table of expressions: all that one is made of stands in its arm.
+/// The table of expressions; each arm contains the full definition.
 #[rustfmt::skip]
-fn of_right(expression: Expression) -> Definition {
+fn right_side(expression: Expression) -> Definition {
     use Expression::*;
     use Extent::{Both, Half, Sideways};
     use Measure::{EyeDistance, FaceHeight, FaceWidth, MouthWidth};
-    use Way::{By, Jaw, Lid, Seal};
+    use Motion::{By, Jaw, Lid, Seal};
     match expression {
         EyeBlinkRight => Definition {
             sized_by: EyeDistance, extent: Half, follow: EYE, pins: &[130, 243, 33, 133, 225, 224, 223, 222, 221, 113, 189, 35, 226, 31, 228, 229, 230, 231, 232, 233, 244],
@@ -335,7 +335,7 @@ fn of_right(expression: Expression) -> Definition {
         },
         EyeBlinkLeft | EyeSquintLeft | EyeWideLeft | JawLeft | MouthLeft | MouthSmileLeft | MouthFrownLeft | MouthDimpleLeft | MouthStretchLeft | MouthPressLeft
         | MouthLowerDownLeft | MouthUpperUpLeft | BrowDownLeft | BrowOuterUpLeft | CheekSquintLeft | NoseSneerLeft => {
-            unreachable!("invariant: of the two sides the right is asked for")
+            unreachable!("invariant: expressions of the left use the definition of the right")
         }
     }
 }

@@ -1,20 +1,21 @@
 use super::{DEGREES, Experiment, Method, OFFSETS, Spread, TimedEdit, Trial};
 
-/// The paper's claims, each as a figure.
+/// The paper's claims as numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Claims {
-    /// The slowest degree's median time over the fastest's: "little dependence on the degree" if it is near 1.
+    /// Ratio of the slowest degree's median time to the fastest's. Near 1 it supports "little dependence on the
+    /// degree".
     pub degree_ratio: f64,
-    /// The slower offset's median time over the faster's.
+    /// Ratio of the slower offset's median time to the faster's.
     pub offset_ratio: f64,
-    /// How many edits raised no peak without a gradual rise.
+    /// Number of edits that raised no isolated peak.
     pub smooth: usize,
-    /// Of how many.
+    /// Number of edits.
     pub edits: usize,
 }
 
 impl Claims {
-    /// From trials of one method.
+    /// Computes the claims from trials of one method.
     pub fn of(trials: &[Trial]) -> Self {
         let edits: Vec<&TimedEdit> = trials.iter().flat_map(Trial::edits).collect();
         let by_degree = DEGREES.map(|degree| spread_ms(&edits, Some(degree), None).median);
@@ -25,27 +26,27 @@ impl Claims {
     }
 }
 
-/// What one method took and did, over many trials.
+/// Times and distortions of one method over many trials.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MethodOutcome {
     /// The method.
     pub method: Method,
-    /// Time for each edit, ms.
+    /// Time of each edit, in ms.
     pub time_ms: Spread,
-    /// `‖δ' − δ‖` over the whole mesh after all edits, in image units.
+    /// `‖δ' − δ‖` over the whole mesh after the last edit, in image units.
     pub bent: Spread,
-    /// By how many times the edge that grew most is longer.
+    /// Greatest ratio of an edge's length to its length at rest.
     pub stretch: Spread,
-    /// Triangles turned over.
+    /// Number of inverted triangles.
     pub flipped: Spread,
-    /// How many edits raised no peak without a gradual rise.
+    /// Number of edits that raised no isolated peak.
     pub smooth: usize,
-    /// Of how many.
+    /// Number of edits.
     pub edits: usize,
 }
 
 impl MethodOutcome {
-    /// From finished trials of one method.
+    /// Summarises finished trials of one method.
     pub fn of(experiment: &Experiment, method: Method, trials: &[Trial]) -> Self {
         let edits: Vec<&TimedEdit> = trials.iter().flat_map(Trial::edits).collect();
         let distortions: Vec<_> = trials.iter().map(|trial| trial.distortion(experiment)).collect();
@@ -61,7 +62,7 @@ impl MethodOutcome {
     }
 }
 
-/// Times in ms of the edits of one degree or round, or of all.
+/// Times in ms of the edits of the given degree and round; `None` selects all.
 pub fn spread_ms(edits: &[&TimedEdit], degree: Option<usize>, round: Option<usize>) -> Spread {
     let is_of_kind = |edit: &&&TimedEdit| {
         degree.is_none_or(|degree| edit.plan.degree == degree) && round.is_none_or(|round| edit.plan.round == round)

@@ -7,23 +7,23 @@ use rosto_laplacian::{
 };
 use rosto_mesh::Topology;
 
-/// The paper's small offset, then its large one, in normalised image coordinates.
+/// The paper's small and large offset, in normalised image coordinates.
 pub const OFFSETS: [DVec3; 2] = [DVec3::splat(-0.005), DVec3::new(0.1, 0.1, -0.1)];
 
-/// The least degree of the mesh, the commonest, and the greatest.
+/// The lowest, most common and highest degree of the mesh.
 pub const DEGREES: [usize; 3] = [3, 6, 8];
 
-/// A way of editing. The default is the paper's: `L_s` with soft constraints of weight 1.
+/// An editing method. The default is the paper's: `L_s` with soft constraints of weight 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Method {
-    /// What δ-coordinates are taken with.
+    /// Operator of the δ-coordinates.
     pub operator: Operator,
     /// How firmly handle and anchors are held.
     pub constraint: ConstraintKind,
 }
 
 impl Method {
-    /// Every operator, softly and exactly held; the paper's own first.
+    /// Each operator with soft and with hard constraints; the paper's method comes first.
     pub fn all() -> Vec<Self> {
         let constraints = [ConstraintKind::default(), ConstraintKind::Hard];
         Operator::ALL
@@ -33,7 +33,7 @@ impl Method {
     }
 }
 
-/// The mesh that the experiment is made on.
+/// The mesh of the experiment.
 pub struct Experiment {
     topology: Topology,
     rest: Vec<DVec3>,
@@ -41,16 +41,17 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// On a face's landmarks in normalised image coordinates, joined by the paper's triangles: MediaPipe's tessellation.
+    /// Creates the experiment from a face's landmarks in normalised image coordinates, with the paper's triangles
+    /// (MediaPipe's tessellation).
     ///
     /// # Errors
-    /// [`LaplacianError`] for positions that do not fit the mesh or are not finite.
+    /// [`LaplacianError`] if the positions do not fit the mesh or are not finite.
     pub fn new(topology: Topology, positions_image: Vec<DVec3>) -> Result<Self, LaplacianError> {
         let yardstick = LaplacianSystem::new(&topology, &positions_image, Operator::UniformSymmetric)?;
         Ok(Self { topology, rest: positions_image, yardstick })
     }
 
-    /// The first vertex of that degree in an order that the seed shuffles.
+    /// A vertex of the given degree, chosen by the seed.
     fn vertex_of_degree(&self, degree: usize, seed: u64) -> u32 {
         let all = 0..self.topology.vertex_count() as u32;
         let others: Vec<u32> = all.filter(|&vertex| self.topology.degree(vertex) != degree).collect();
@@ -58,31 +59,31 @@ impl Experiment {
     }
 }
 
-/// An edit that is to be made.
+/// An edit to perform.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan {
-    /// The vertex's number of neighbours.
+    /// Number of neighbours of the vertex.
     pub degree: usize,
-    /// Which of [`OFFSETS`].
+    /// Index into [`OFFSETS`].
     pub round: usize,
-    /// The vertex that is moved.
+    /// The moved vertex.
     pub vertex: u32,
-    /// The vertices that hold the rest.
+    /// The anchors.
     pub anchors: [u32; 2],
 }
 
-/// An edit that was made.
+/// A completed edit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TimedEdit {
-    /// What was done.
+    /// The edit.
     pub plan: Plan,
-    /// How long it took: operator, factor, solve and displacement.
+    /// Time of operator, factorisation, solve and displacement.
     pub time: Duration,
-    /// How many peaks it raised.
+    /// Number of peaks that it raised.
     pub peaks: usize,
 }
 
-/// One run of the experiment: six edits, each on the mesh that the last one left.
+/// One run of the experiment: six edits, each on the result of the previous one.
 #[derive(Debug, Clone)]
 pub struct Trial {
     method: Method,
@@ -93,22 +94,22 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// Nothing is edited yet. The seed chooses vertices and anchors.
+    /// Creates a trial without edits. The seed selects vertices and anchors.
     pub fn new(experiment: &Experiment, method: Method, seed: u64) -> Self {
         Self { method, seed, positions: experiment.rest.clone(), edits: Vec::new(), after_rounds: Vec::new() }
     }
 
-    /// How the edits are made.
+    /// The editing method.
     pub fn method(&self) -> Method {
         self.method
     }
 
-    /// The edits so far: each degree by the small offset, then each by the large one.
+    /// The edits so far: each degree with the small offset, then each with the large one.
     pub fn edits(&self) -> &[TimedEdit] {
         &self.edits
     }
 
-    /// Positions in image coordinates after the small offsets, and after the large ones, as far as they are made.
+    /// Positions in image coordinates after each completed round: small offsets, then large ones.
     pub fn after_rounds(&self) -> &[Vec<DVec3>] {
         &self.after_rounds
     }
@@ -123,10 +124,11 @@ impl Trial {
         Some(Plan { degree, round, vertex, anchors: random_anchors(self.positions.len(), &[vertex], anchor_seed) })
     }
 
-    /// Where an edit takes the vertices, from nothing: operator, factor, solve and displacement. This is what is timed.
+    /// Positions after an edit, computed from scratch: operator, factorisation, solve and displacement. This is the
+    /// timed part.
     ///
     /// # Errors
-    /// [`LaplacianError`] if the edit has no answer.
+    /// [`LaplacianError`] if the edit has no solution.
     pub fn edit(&self, experiment: &Experiment, plan: &Plan) -> Result<Vec<DVec3>, LaplacianError> {
         let system = LaplacianSystem::new(&experiment.topology, &self.positions, self.method.operator)?;
         let (handles, constraint) = ([plan.vertex], self.method.constraint);
@@ -136,7 +138,7 @@ impl Trial {
         Ok(edited)
     }
 
-    /// Goes on from where an edit took the vertices.
+    /// Records a completed edit; the next one starts from its positions.
     pub fn go_on(&mut self, experiment: &Experiment, plan: Plan, edited: Vec<DVec3>, time: Duration) {
         let bent = Distortion::measure(&experiment.topology, &experiment.yardstick, &self.positions, &edited);
         self.edits.push(TimedEdit { plan, time, peaks: bent.peaks.len() });
@@ -146,7 +148,7 @@ impl Trial {
         }
     }
 
-    /// What all edits together did to the mesh, measured with `L_s` whatever the method.
+    /// Distortion of the mesh by all edits together, measured with `L_s` for each method.
     pub fn distortion(&self, experiment: &Experiment) -> DistortionSummary {
         let Experiment { topology, rest, yardstick } = experiment;
         Distortion::measure(topology, yardstick, rest, &self.positions).summary()

@@ -5,23 +5,23 @@ const RIGHT: f64 = 12.0;
 const TOP: f64 = 36.0;
 const BOTTOM: f64 = 56.0;
 
-/// What stands for the small offset and for the large one: a class for a page's own style, and a colour without one.
+/// CSS class and fallback colour of the small and the large offset.
 const ROUNDS: [(&str, &str); 2] = [("small", "#2f6db5"), ("large", "#c2571a")];
 
-/// The words in the plot.
+/// Texts of the plot.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlotWords {
-    /// What is plotted, with its unit.
+    /// Title, with the unit.
     pub title: String,
-    /// Before each degree.
+    /// Label in front of each degree.
     pub degree: String,
-    /// The small offset.
+    /// Legend of the small offset.
     pub small: String,
-    /// The large offset.
+    /// Legend of the large offset.
     pub large: String,
 }
 
-/// Time against degree and offset as an SVG picture: every edit a dot, a bar from quartile to quartile, a line at the
+/// SVG plot of time against degree and offset: a dot for each edit, a bar between the quartiles, and a line at the
 /// median.
 pub fn svg(trials: &[Trial], size_px: [f64; 2], words: &PlotWords) -> String {
     let edits: Vec<&TimedEdit> = trials.iter().flat_map(Trial::edits).collect();
@@ -62,7 +62,7 @@ impl Axes {
         self.height - BOTTOM - (self.height - TOP - BOTTOM) * ms / self.top_ms
     }
 
-    /// Middle of a degree's column, or of one offset's half of it.
+    /// Middle of a degree's column, or of one offset's half of the column.
     fn x(&self, column: usize, round: Option<usize>) -> f64 {
         let width = (self.width - LEFT - RIGHT) / DEGREES.len() as f64;
         let aside = round.map_or(0.0, |round| (round as f64 - 0.5) * width * 0.46);
@@ -85,7 +85,7 @@ impl Axes {
     }
 
     fn dot(&self, column: usize, round: usize, index: usize, edit: &TimedEdit) -> String {
-        // Spread sideways by a fixed pattern, so that dots of equal height do not hide each other.
+        // Jitter by a fixed pattern, so that dots of equal height do not hide each other.
         let aside = (index % 7) as f64 * 3.0 - 9.0;
         let (x, y) = (self.x(column, Some(round)) + aside, self.y(edit.time.as_secs_f64() * 1e3));
         format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"currentColor\" fill-opacity=\"0.5\"/>")
@@ -110,7 +110,7 @@ impl Axes {
     }
 }
 
-/// The next of 1, 2 and 5 times a power of ten.
+/// Rounds up to 1, 2 or 5 times a power of ten.
 fn round_up(value: f64) -> f64 {
     let power = 10f64.powf(value.max(1e-6).log10().floor());
     [1.0, 2.0, 5.0, 10.0].map(|step| step * power).into_iter().find(|&step| step >= value).unwrap_or(value)

@@ -1,24 +1,24 @@
-/// A sample in three numbers.
+/// Quartiles of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// A quarter of the sample is not above.
+    /// Lower quartile.
     pub lower: f64,
     /// The median.
     pub median: f64,
-    /// A quarter of the sample is not below.
+    /// Upper quartile.
     pub upper: f64,
 }
 
 impl Spread {
-    /// Median and quartiles, linear between neighbours; of an empty sample, zeros.
+    /// Computes the quartiles by linear interpolation; zeros for an empty sample.
     pub fn of(sample: impl IntoIterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = sample.into_iter().collect();
         sorted.sort_by(f64::total_cmp);
         let at = |share: f64| {
-            let place = share * sorted.len().saturating_sub(1) as f64;
-            let below = sorted.get(place.floor() as usize).copied().unwrap_or(0.0);
-            let above = sorted.get(place.ceil() as usize).copied().unwrap_or(0.0);
-            below + (above - below) * place.fract()
+            let position = share * sorted.len().saturating_sub(1) as f64;
+            let below = sorted.get(position.floor() as usize).copied().unwrap_or(0.0);
+            let above = sorted.get(position.ceil() as usize).copied().unwrap_or(0.0);
+            below + (above - below) * position.fract()
         };
         Self { lower: at(0.25), median: at(0.5), upper: at(0.75) }
     }

@@ -1,6 +1,6 @@
 use super::DEGREES;
 
-/// What Table 1 of the paper times.
+/// A task that Table 1 of the paper times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Task {
     /// Photo to landmarks.
@@ -9,9 +9,9 @@ pub enum Task {
     Generation,
     /// Moving a vertex.
     Edit {
-        /// Its number of neighbours.
+        /// Number of neighbours of the vertex.
         degree: usize,
-        /// Which of [`OFFSETS`](super::OFFSETS).
+        /// Index into [`OFFSETS`](super::OFFSETS).
         round: usize,
     },
 }
@@ -19,11 +19,11 @@ pub enum Task {
 /// A row of Table 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TableRow {
-    /// What was timed.
+    /// The timed task.
     pub task: Task,
-    /// What the paper calls it.
+    /// Name in the paper.
     pub name: &'static str,
-    /// Seconds in its first and in its second test.
+    /// Seconds in the first and the second test.
     pub seconds: [f64; 2],
 }
 

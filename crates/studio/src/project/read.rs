@@ -8,40 +8,40 @@ use crate::{
     AnchorKind, Anchors, Command, Details, EditSpec, Entry, Expression, Mirror, RegionOfInfluence, Settings, Switch,
 };
 
-/// Why text is no history.
+/// Why text cannot be read as a history.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ProjectError {
-    /// It is not JSON, or JSON of something else.
-    #[error("this is not a Rosto history")]
+    /// It is not JSON, or not a history.
+    #[error("not a Rosto history")]
     NotAHistory,
-    /// A Rosto of another version wrote it.
+    /// It was written by another version of Rosto.
     #[error(
-        "the history has version {found}, and this Rosto reads version {known} only: open it with the one that wrote it"
+        "the history has version {found}, but this Rosto reads only version {known}: open it with the Rosto that wrote it"
     )]
     Version {
         /// The version in the file.
         found: u64,
-        /// The version that is read.
+        /// The supported version.
         known: u64,
     },
-    /// An entry lacks a field, or the field holds something unexpected.
-    #[error("entry {entry} of the history has no usable {field:?}")]
+    /// A field of an entry is missing or has an unexpected value.
+    #[error("field {field:?} of entry {entry} is missing or invalid")]
     Field {
-        /// Which entry, from 0.
+        /// The entry, from 0.
         entry: usize,
         /// The field's name.
         field: &'static str,
     },
 }
 
-/// What stands where a field's name is known and the entry's number is not.
+/// Error type where the field is known but the entry's index is not.
 type FieldResult<T> = Result<T, &'static str>;
 
-/// Reads what [`to_json`](super::to_json) wrote. Whether the vertices exist is for the document to say.
+/// Reads the output of [`to_json`](super::to_json). Does not check that the vertices exist; the document does.
 ///
 /// # Errors
-/// [`ProjectError`] for text that is no history, has another version, or has an entry that is not understood.
+/// [`ProjectError`] if the text is not a history, has another version, or contains an invalid entry.
 pub fn from_json(text: &str) -> Result<Vec<Entry>, ProjectError> {
     let file: Value = serde_json::from_str(text).map_err(|_| ProjectError::NotAHistory)?;
     if file["rosto"] != "history" {

@@ -1,4 +1,4 @@
-//! Denser meshes: cage edits carry over, direct edits stay local, and going back and forth loses nothing.
+//! Denser meshes: cage edits are interpolated, direct edits stay local, and changing density and back is lossless.
 
 use glam::DVec3;
 use rosto_face::{LANDMARK_COUNT, Region, Triangulation, crowded_landmarks, opening_edges, without_fillings};
@@ -33,7 +33,7 @@ fn a_cage_edit_equals_subdividing_the_edited_cage() {
 }
 
 #[test]
-fn what_fills_eyes_and_mouth_changes_nothing_about_the_skin_around_them() {
+fn filled_openings_do_not_change_the_surrounding_skin() {
     let cage = Triangulation::Canonical.triangles();
     let open_cage = Topology::new(LANDMARK_COUNT, without_fillings(&cage, &cage)).unwrap();
     let positions = Document::new(portrait(Triangulation::Canonical)).unwrap().positions().to_vec();
@@ -45,19 +45,19 @@ fn what_fills_eyes_and_mouth_changes_nothing_about_the_skin_around_them() {
             document
         });
         let skin = without_fillings(&cage, filled.topology().triangles());
-        let is_same = places(&filled, &skin) == places(&open, open.topology().triangles());
+        let is_same = corner_bits(&filled, &skin) == corner_bits(&open, open.topology().triangles());
         assert!(is_same, "{density} subdivisions");
     }
 }
 
-/// The corners of triangles in space, to the last bit.
-fn places(document: &Document, triangles: &[[u32; 3]]) -> Vec<[[u64; 3]; 3]> {
-    let place = |corner: u32| document.positions()[corner as usize].to_array().map(f64::to_bits);
-    triangles.iter().map(|triangle| triangle.map(place)).collect()
+/// Bits of the triangles' corner positions.
+fn corner_bits(document: &Document, triangles: &[[u32; 3]]) -> Vec<[[u64; 3]; 3]> {
+    let position = |corner: u32| document.positions()[corner as usize].to_array().map(f64::to_bits);
+    triangles.iter().map(|triangle| triangle.map(position)).collect()
 }
 
 #[test]
-fn denser_meshes_pass_through_the_points_of_coarser_ones_whatever_is_edited() {
+fn denser_meshes_interpolate_the_points_of_coarser_ones() {
     let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
     document.apply("nose", single_move(4, DVec3::new(0.001, 0.002, 0.02))).unwrap();
     let mut coarser = document.positions().to_vec();
@@ -73,7 +73,7 @@ fn denser_meshes_pass_through_the_points_of_coarser_ones_whatever_is_edited() {
 }
 
 #[test]
-fn there_and_back_is_the_identity() {
+fn changing_density_and_back_is_the_identity() {
     let mut document = Document::new(portrait(Triangulation::Tessellation)).unwrap();
     document.apply("nose", single_move(4, DVec3::Z * 0.02)).unwrap();
     let cage = bits(document.positions());
@@ -87,7 +87,7 @@ fn there_and_back_is_the_identity() {
 }
 
 #[test]
-fn an_edit_of_the_dense_mesh_leaves_the_cage_and_waits_while_the_cage_is_shown() {
+fn dense_edits_leave_the_cage_unchanged_and_wait_while_it_is_displayed() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     let cage = bits(document.positions());
     document.set_density(1).unwrap();
@@ -120,7 +120,7 @@ fn a_mirrored_edit_of_the_dense_mesh_is_symmetric() {
 }
 
 #[test]
-fn values_of_the_cage_are_carried_by_the_same_matrix() {
+fn cage_values_are_interpolated_like_positions() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.set_density(2).unwrap();
     let carried = document.from_cage(&rosto_face::canonical_positions_m());
@@ -128,7 +128,7 @@ fn values_of_the_cage_are_carried_by_the_same_matrix() {
 }
 
 #[test]
-fn on_a_dense_mesh_a_tick_shows_what_its_commit_keeps() {
+fn on_a_dense_mesh_a_commit_matches_its_preview() {
     for (triangulation, mirror, handles) in [
         (Triangulation::Canonical, Mirror::Off, vec![61]),
         (Triangulation::Canonical, Mirror::On, vec![61]),
@@ -149,7 +149,7 @@ fn on_a_dense_mesh_a_tick_shows_what_its_commit_keeps() {
 }
 
 #[test]
-fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
+fn influence_predicts_the_displacement_of_handles_with_one_offset() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     for (density, mirror, handles) in [
         (0, Mirror::Off, vec![61]),
@@ -172,10 +172,10 @@ fn handles_that_move_as_one_tell_how_the_mesh_follows_them() {
         }
     }
     document.prepare(EditSpec { handles: vec![61], ..EditSpec::default() }).unwrap();
-    let kept = document.influence().cloned();
+    let rigid_guess = document.influence().cloned();
     let turned = Settings { details: Details::AsRigidAsPossible, ..Settings::default() };
     document.prepare(EditSpec { handles: vec![61], settings: turned, ..EditSpec::default() }).unwrap();
-    assert_eq!(document.influence(), kept.as_ref());
+    assert_eq!(document.influence(), rigid_guess.as_ref());
 }
 
 fn detail(level: u32, handle: u32, mirror: Mirror) -> Command {
@@ -184,15 +184,15 @@ fn detail(level: u32, handle: u32, mirror: Mirror) -> Command {
     Command::Move { spec: EditSpec { level, handles: vec![handle], settings }, offsets }
 }
 
-/// Where the last entry moved the mesh furthest, at rest, and how far.
+/// Rest position of the vertex that the last entry moved farthest, and the distance.
 fn peak(document: &mut Document) -> (DVec3, f64) {
     let last = document.displacements().pop().unwrap();
-    let ways = document.rest().iter().copied().zip(last.iter().map(|way| way.length()));
-    ways.max_by(|one, other| one.1.total_cmp(&other.1)).unwrap()
+    let displacements = document.rest().iter().copied().zip(last.iter().map(|displacement| displacement.length()));
+    displacements.max_by(|one, other| one.1.total_cmp(&other.1)).unwrap()
 }
 
 #[test]
-fn an_edit_of_the_dense_mesh_stays_where_it_is_when_the_landmarks_are_joined_by_other_triangles() {
+fn dense_edits_keep_their_position_in_another_triangulation() {
     for mirror in [Mirror::Off, Mirror::On] {
         let mut canonical_document = Document::new(portrait(Triangulation::Canonical)).unwrap();
         canonical_document.apply("cage", single_move(152, DVec3::Y * 0.001)).unwrap();
@@ -203,7 +203,7 @@ fn an_edit_of_the_dense_mesh_stays_where_it_is_when_the_landmarks_are_joined_by_
         let mut other = canonical_document.over(portrait(Triangulation::Tessellation)).unwrap();
         other.set_density(2).unwrap();
         let ((before, far), (after, as_far)) = (peak(&mut canonical_document), peak(&mut other));
-        // Of two mirror images either is the peak.
+        // Both mirror images are peaks; compare on the right side.
         let right = |peak: DVec3| if mirror == Mirror::On { DVec3::new(-peak.x.abs(), peak.y, peak.z) } else { peak };
         assert!(right(before).distance(right(after)) < 0.002 && (far - as_far).abs() < 1e-4, "{before} and {after}");
         assert_eq!(other.history().entries()[0], canonical_document.history().entries()[0]);
@@ -214,12 +214,12 @@ fn an_edit_of_the_dense_mesh_stays_where_it_is_when_the_landmarks_are_joined_by_
 }
 
 #[test]
-fn every_point_of_the_symmetric_mesh_has_a_partner_and_the_other_mesh_has_none() {
+fn points_of_the_symmetric_mesh_have_partners_and_those_of_the_tessellation_do_not() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.set_density(3).unwrap();
-    for (vertex, place) in document.rest().iter().enumerate() {
+    for (vertex, position) in document.rest().iter().enumerate() {
         let partner = document.partner(3, vertex as u32).unwrap();
-        assert!(document.rest()[partner as usize].distance(*place * MIRROR) < 1e-12);
+        assert!(document.rest()[partner as usize].distance(*position * MIRROR) < 1e-12);
     }
     assert_eq!(document.partner(3, 28_881), None);
     let mut open = Document::new(canonical(Triangulation::Tessellation)).unwrap();

@@ -1,4 +1,4 @@
-//! Expressions move what they are named after, leave the rest, are mirror images of each other, fold nothing, and add up.
+//! Expressions move the part that they name and nothing else, are mirror images of each other, do not fold, and add up.
 
 use glam::DVec3;
 use rosto_face::{Region, Triangulation, canonical_positions_m, mirror_of, without_fillings};
@@ -18,47 +18,49 @@ fn faces() -> [Vec<DVec3>; 2] {
 }
 
 fn skin() -> Vec<[u32; 3]> {
-    let whole = Triangulation::Canonical.triangles();
-    without_fillings(&whole, &whole)
+    let triangles = Triangulation::Canonical.triangles();
+    without_fillings(&triangles, &triangles)
 }
 
-/// The right's and those of both sides: of the left all follows from the mirror.
-fn rights() -> impl Iterator<Item = Expression> {
+/// Expressions of the right and of both sides; those of the left are mirror images.
+fn right_and_symmetric() -> impl Iterator<Item = Expression> {
     Expression::ALL.into_iter().filter(|expression| !expression.id().ends_with("Left"))
 }
 
 #[test]
-fn on_a_symmetric_face_sides_are_mirror_images_and_what_has_none_is_its_own() {
+fn expressions_of_a_symmetric_face_are_mirror_images() {
     let mut expressions = Expressions::new(&canonical_positions_m()).unwrap();
-    for expression in rights() {
+    for expression in right_and_symmetric() {
         let image = expressions.displacement(expression.mirrored()).unwrap().to_vec();
-        let ways = expressions.displacement(expression).unwrap();
+        let displacements = expressions.displacement(expression).unwrap();
         for vertex in 0..468 {
-            let (way, partner) = (ways[vertex as usize], image[mirror_of(vertex) as usize]);
-            assert!(way.distance(partner * MIRROR) < 1e-12, "{expression:?} at {vertex}: {way} and {partner}");
+            let (displacement, partner) = (displacements[vertex as usize], image[mirror_of(vertex) as usize]);
+            assert!(displacement.distance(partner * MIRROR) < 1e-12, "{expression:?} at {vertex}: {way} and {partner}");
         }
         assert_eq!(expression.mirrored().mirrored(), expression);
     }
 }
 
 #[test]
-fn every_expression_shows_and_folds_no_skin() {
+fn expressions_are_visible_and_do_not_fold_skin() {
     for rest in faces() {
         let mut expressions = Expressions::new(&rest).unwrap();
         for expression in Expression::ALL {
-            let ways = expressions.displacement(expression).unwrap();
-            let furthest_mm = 1000.0 * ways.iter().map(|way| way.length()).fold(0.0, f64::max);
-            assert!((1.5..40.0).contains(&furthest_mm), "{expression:?} goes {furthest_mm} mm");
-            let moved: Vec<DVec3> = rest.iter().zip(ways).map(|(at, way)| *at + *way).collect();
+            let displacements = expressions.displacement(expression).unwrap();
+            let furthest_mm =
+                1000.0 * displacements.iter().map(|displacement| displacement.length()).fold(0.0, f64::max);
+            assert!((1.5..40.0).contains(&furthest_mm), "{expression:?} moves {furthest_mm} mm");
+            let moved: Vec<DVec3> =
+                rest.iter().zip(displacements).map(|(at, displacement)| *at + *displacement).collect();
             let is_turned = |corners: &[u32; 3]| normal(&moved, corners).dot(normal(&rest, corners)) <= 0.0;
             let folded: Vec<_> = skin().into_iter().filter(is_turned).collect();
-            assert!(folded.iter().all(|corners| meets(expression, corners)), "{expression:?} folds {folded:?}");
+            assert!(folded.iter().all(|corners| degenerates(expression, corners)), "{expression:?} folds {folded:?}");
         }
     }
 }
 
-/// Where a blink's lids meet, the skin between their edges and a corner is as good as gone.
-fn meets(expression: Expression, corners: &[u32; 3]) -> bool {
+/// Triangles between lid edges and corners degenerate in a blink.
+fn degenerates(expression: Expression, corners: &[u32; 3]) -> bool {
     let is_blink = matches!(expression, Expression::EyeBlinkLeft | Expression::EyeBlinkRight);
     let is_edge = |corner: &u32| UPPER_LIDS.contains(corner) || LOWER_LIDS.contains(corner);
     is_blink && corners.iter().any(|corner| is_edge(corner) || is_edge(&mirror_of(*corner)))
@@ -70,8 +72,8 @@ fn normal(positions: &[DVec3], corners: &[u32; 3]) -> DVec3 {
 }
 
 #[test]
-fn a_blink_shuts_the_eye_of_whoever_blinks_at_every_density() {
-    const MOST_MM: f64 = 0.3;
+fn a_blink_closes_the_eye_at_each_density() {
+    const MAX_MM: f64 = 0.3;
     for triangulation in Triangulation::ALL {
         for rest in [canonical(triangulation), portrait(triangulation)] {
             let mut document = Document::new(rest).unwrap();
@@ -82,14 +84,14 @@ fn a_blink_shuts_the_eye_of_whoever_blinks_at_every_density() {
                 let pairs = UPPER_LIDS.into_iter().zip(LOWER_LIDS);
                 let gaps = pairs.map(|(upper, lower)| 1000.0 * at[upper as usize].distance(at[lower as usize]));
                 let widest_mm = gaps.fold(0.0, f64::max);
-                assert!(widest_mm < MOST_MM, "{triangulation:?}, {density}: lids are {widest_mm} mm apart");
+                assert!(widest_mm < MAX_MM, "{triangulation:?}, {density}: lids are {widest_mm} mm apart");
             }
         }
     }
 }
 
 #[test]
-fn what_an_expression_is_not_about_stays() {
+fn expressions_leave_other_regions_in_place() {
     let parts: [(Expression, &[Region]); 5] = [
         (Expression::JawOpen, &[Region::UpperLip, Region::Nose, Region::RightEye, Region::LeftEye, Region::Forehead]),
         (
@@ -103,47 +105,51 @@ fn what_an_expression_is_not_about_stays() {
     for rest in faces() {
         let mut expressions = Expressions::new(&rest).unwrap();
         for (expression, parts) in parts {
-            let ways = expressions.displacement(expression).unwrap();
+            let displacements = expressions.displacement(expression).unwrap();
             for vertex in parts.iter().flat_map(|part| part.vertices()) {
-                assert_eq!(ways[vertex as usize], DVec3::ZERO, "{expression:?} moves {vertex}");
+                assert_eq!(displacements[vertex as usize], DVec3::ZERO, "{expression:?} moves {vertex}");
             }
         }
     }
 }
 
 #[test]
-fn expressions_go_where_their_names_say() {
+fn expressions_move_in_the_named_direction() {
     for rest in faces() {
         let mut expressions = Expressions::new(&rest).unwrap();
-        let mut way = |expression, vertex: usize| expressions.displacement(expression).unwrap()[vertex] * 1000.0;
-        let chin = way(Expression::JawOpen, 152);
-        assert!(chin.y < -12.0 && chin.z < -3.0, "the chin goes down in an arc: {chin}");
-        assert!(way(Expression::MouthSmileRight, 61).y > 4.0 && way(Expression::MouthSmileRight, 205).y > 2.0);
-        assert!(way(Expression::MouthFrownRight, 61).y < -4.0);
-        assert!(way(Expression::MouthPucker, 0).z > 4.0 && way(Expression::MouthPucker, 61).x > 4.0);
-        assert!(way(Expression::JawLeft, 152).x > 4.0 && way(Expression::JawRight, 152).x < -4.0);
+        let mut displacement =
+            |expression, vertex: usize| expressions.displacement(expression).unwrap()[vertex] * 1000.0;
+        let chin = displacement(Expression::JawOpen, 152);
+        assert!(chin.y < -12.0 && chin.z < -3.0, "the chin does not move in an arc: {chin}");
         assert!(
-            way(Expression::BrowInnerUp, 107).y > 4.0
-                && way(Expression::BrowDownLeft, mirror_of(107) as usize).y < -3.0
+            displacement(Expression::MouthSmileRight, 61).y > 4.0
+                && displacement(Expression::MouthSmileRight, 205).y > 2.0
         );
-        assert!(way(Expression::CheekPuff, 207).z > 4.0 && way(Expression::CheekPuff, 207).x < -4.0);
-        assert!(way(Expression::MouthLeft, 13).x > 4.0);
+        assert!(displacement(Expression::MouthFrownRight, 61).y < -4.0);
+        assert!(displacement(Expression::MouthPucker, 0).z > 4.0 && displacement(Expression::MouthPucker, 61).x > 4.0);
+        assert!(displacement(Expression::JawLeft, 152).x > 4.0 && displacement(Expression::JawRight, 152).x < -4.0);
+        assert!(
+            displacement(Expression::BrowInnerUp, 107).y > 4.0
+                && displacement(Expression::BrowDownLeft, mirror_of(107) as usize).y < -3.0
+        );
+        assert!(displacement(Expression::CheekPuff, 207).z > 4.0 && displacement(Expression::CheekPuff, 207).x < -4.0);
+        assert!(displacement(Expression::MouthLeft, 13).x > 4.0);
     }
 }
 
 #[test]
-fn with_the_jaw_open_mouth_close_brings_the_lips_back_together() {
+fn mouth_close_closes_the_lips_of_an_open_jaw() {
     for rest in faces() {
         let mut expressions = Expressions::new(&rest).unwrap();
-        let mut ways = |expression| expressions.displacement(expression).unwrap().to_vec();
-        let (open, close) = (ways(Expression::JawOpen), ways(Expression::MouthClose));
+        let mut displacements = |expression| expressions.displacement(expression).unwrap().to_vec();
+        let (open, close) = (displacements(Expression::JawOpen), displacements(Expression::MouthClose));
         let parted_mm = 1000.0 * ((open[13] + close[13]) - (open[14] + close[14])).length();
         assert!(parted_mm < 0.3, "{parted_mm} mm");
     }
 }
 
 #[test]
-fn weights_add_up_and_a_preview_is_what_is_kept() {
+fn weights_add_up_and_a_commit_matches_its_preview() {
     for (triangulation, density) in [(Triangulation::Tessellation, 0), (Triangulation::Canonical, 2)] {
         let fresh = || {
             let mut document = Document::new(portrait(triangulation)).unwrap();
@@ -166,7 +172,7 @@ fn weights_add_up_and_a_preview_is_what_is_kept() {
 }
 
 #[test]
-fn a_face_in_pieces_keeps_its_skin_and_its_eyes_whatever_lids_and_lips_do() {
+fn a_rig_keeps_skin_and_eyes_in_place_under_expressions() {
     for density in [0, 2] {
         let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
         document.set_density(density).unwrap();
@@ -190,7 +196,7 @@ fn a_face_in_pieces_keeps_its_skin_and_its_eyes_whatever_lids_and_lips_do() {
 }
 
 #[test]
-fn both_sides_are_one_change_and_rest_takes_all_back_as_one() {
+fn both_sides_are_one_change_and_so_is_a_reset() {
     let mut document = Document::new(portrait(Triangulation::Tessellation)).unwrap();
     let both = [(Expression::MouthSmileLeft, 0.5), (Expression::MouthSmileRight, 0.5)];
     document.preview_expressions(&both).unwrap();
@@ -213,7 +219,7 @@ fn both_sides_are_one_change_and_rest_takes_all_back_as_one() {
 }
 
 #[test]
-fn expressions_outlive_files_triangles_and_densities() {
+fn expressions_survive_files_triangulations_and_densities() {
     let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
     document.preview_expressions(&[(Expression::EyeBlinkLeft, 1.0), (Expression::JawOpen, 0.3)]).unwrap();
     document.commit("");
@@ -231,7 +237,7 @@ fn expressions_outlive_files_triangles_and_densities() {
 }
 
 #[test]
-fn what_has_no_face_and_what_is_no_weight_is_refused() {
+fn meshes_without_a_face_and_invalid_weights_are_refused() {
     let express = |weight| Command::Express { expression: Expression::JawOpen, weight };
     let image = Rest::new(Triangulation::Canonical.topology(), portrait_image(), CoordinateFrame::Other);
     let mut document = Document::new(image).unwrap();

@@ -7,12 +7,12 @@ use serde_json::Value;
 
 pub const MIRROR: DVec3 = DVec3::new(-1.0, 1.0, 1.0);
 
-/// The canonical face in metres: exactly symmetric.
+/// The canonical face in metres; exactly symmetric.
 pub fn canonical(triangulation: Triangulation) -> Rest {
     Rest::new(triangulation.topology(), canonical_positions_m(), CoordinateFrame::Model)
 }
 
-/// The sample portrait's face in metres: as asymmetric as faces are.
+/// The sample portrait's face in metres, with natural asymmetry.
 pub fn portrait(triangulation: Triangulation) -> Rest {
     let landmarks = portrait_landmarks();
     let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
@@ -28,7 +28,7 @@ pub fn portrait(triangulation: Triangulation) -> Rest {
     Rest::of_face(&FaceModel::new(input, triangulation).unwrap())
 }
 
-/// The same face in MediaPipe's normalised picture coordinates.
+/// The sample portrait's face in normalised image coordinates.
 pub fn portrait_image() -> Vec<DVec3> {
     portrait_landmarks().into_iter().map(|landmark| DVec3::from(landmark.map(f64::from))).collect()
 }
@@ -40,8 +40,8 @@ pub fn portrait_landmarks() -> Vec<[f32; 3]> {
     rows.map(|p| [0, 1, 2].map(|axis| p[axis].as_f64().unwrap() as f32)).collect()
 }
 
-/// A mirrored spec of one vertex, held exactly.
-pub fn mirrored_grip(vertex: u32) -> EditSpec {
+/// A mirrored, hard-constrained spec of one vertex.
+pub fn mirrored_spec(vertex: u32) -> EditSpec {
     let settings = Settings { mirror: Mirror::On, constraint: ConstraintKind::Hard, ..Settings::default() };
     EditSpec { level: 0, handles: vec![vertex], settings }
 }
@@ -53,7 +53,7 @@ pub fn single_move(vertex: u32, offset: DVec3) -> Command {
     }
 }
 
-/// The positions' bits, so that equality means the same bytes.
+/// Bits of the positions, for exact comparison.
 pub fn bits(positions: &[DVec3]) -> Vec<[u64; 3]> {
     positions.iter().map(|p| p.to_array().map(f64::to_bits)).collect()
 }

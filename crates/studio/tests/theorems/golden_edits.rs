@@ -1,4 +1,4 @@
-//! The paper's edits, as the document carries them out, against a dense pseudo-inverse (`tests/golden/edits.json`).
+//! The paper's edits, applied by the document, against a dense pseudo-inverse (`tests/golden/edits.json`).
 
 use glam::DVec3;
 use rosto_face::Triangulation;
@@ -20,7 +20,7 @@ fn vertex(value: &Value) -> u32 {
 }
 
 #[test]
-fn every_sequence_ends_where_the_pseudo_inverse_does() {
+fn sequences_match_the_pseudo_inverse() {
     let golden: Value = serde_json::from_str(include_str!("../../../../tests/golden/edits.json")).unwrap();
     let cases = golden["cases"].as_array().unwrap();
     assert_eq!(cases.len(), 8);

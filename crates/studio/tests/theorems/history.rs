@@ -1,4 +1,4 @@
-//! Undo, redo, switches, replay: each gives the same bytes as never having been elsewhere.
+//! Undo, redo, switches and replay reproduce positions bit by bit.
 
 use glam::DVec3;
 use rosto_face::Triangulation;
@@ -38,7 +38,7 @@ fn any_commands(seed: u64) -> Vec<Command> {
 }
 
 #[test]
-fn undo_takes_back_and_redo_brings_again_to_the_last_bit() {
+fn undo_and_redo_restore_positions_bit_by_bit() {
     for seed in 0..CASES {
         let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
         let mut states = vec![bits(document.positions())];
@@ -75,7 +75,7 @@ fn a_history_read_back_replays_to_the_same_bytes() {
 }
 
 #[test]
-fn an_entry_switched_off_might_as_well_not_be_there() {
+fn an_entry_switched_off_has_no_effect() {
     for seed in 0..CASES {
         let rest = portrait(Triangulation::Canonical);
         let commands = any_commands(seed);
@@ -97,10 +97,10 @@ fn an_entry_switched_off_might_as_well_not_be_there() {
 }
 
 #[test]
-fn a_drag_is_one_entry_and_equals_the_command_it_leaves() {
+fn a_drag_is_one_entry_and_equals_its_command() {
     let rest = portrait(Triangulation::Canonical);
     let mut dragged = Document::new(rest.clone()).unwrap();
-    dragged.prepare(mirrored_grip(61)).unwrap();
+    dragged.prepare(mirrored_spec(61)).unwrap();
     for step in 1..=10 {
         dragged.preview(&[DVec3::new(0.0, 0.001, 0.002) * f64::from(step)]).unwrap();
     }
@@ -114,17 +114,17 @@ fn a_drag_is_one_entry_and_equals_the_command_it_leaves() {
 }
 
 #[test]
-fn cancelling_a_drag_leaves_nothing_behind_and_the_grip_in_hand() {
+fn cancelling_a_drag_retains_the_prepared_edit() {
     let mut document = Document::new(canonical(Triangulation::Tessellation)).unwrap();
     let rest = bits(document.positions());
-    document.prepare(mirrored_grip(61)).unwrap();
+    document.prepare(mirrored_spec(61)).unwrap();
     document.preview(&[DVec3::splat(0.01)]).unwrap();
     assert_ne!(bits(document.positions()), rest);
     document.cancel();
     document.commit("nothing");
     assert_eq!(bits(document.positions()), rest);
     assert!(document.history().entries().is_empty());
-    assert_eq!(document.spec(), Some(&mirrored_grip(61)));
+    assert_eq!(document.spec(), Some(&mirrored_spec(61)));
     document.preview(&[DVec3::splat(0.01)]).unwrap();
     document.release();
     assert_eq!((bits(document.positions()), document.spec()), (rest, None));
@@ -133,7 +133,7 @@ fn cancelling_a_drag_leaves_nothing_behind_and_the_grip_in_hand() {
 #[test]
 fn the_next_drag_starts_where_the_last_one_ended() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.prepare(mirrored_grip(4)).unwrap();
+    document.prepare(mirrored_spec(4)).unwrap();
     for _ in 0..2 {
         document.preview(&[DVec3::new(0.0, 0.0, 0.005)]).unwrap();
         document.commit("nose tip");
@@ -156,7 +156,7 @@ fn displacements_add_up_to_the_edit() {
 }
 
 #[test]
-fn every_change_of_the_list_is_one_step_back_and_one_forward() {
+fn each_change_of_the_list_is_one_undo_and_one_redo() {
     let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
     let mut states = vec![(bits(document.positions()), document.history().entries().to_vec())];
     let mut note =
@@ -185,7 +185,7 @@ fn every_change_of_the_list_is_one_step_back_and_one_forward() {
 }
 
 #[test]
-fn what_was_undone_is_forgotten_once_something_new_is_done() {
+fn a_new_command_discards_undone_changes() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
     document.apply("two", single_move(152, DVec3::Y * 0.01)).unwrap();
@@ -197,7 +197,7 @@ fn what_was_undone_is_forgotten_once_something_new_is_done() {
 }
 
 #[test]
-fn nothing_to_change_is_no_step() {
+fn no_ops_add_no_change() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     document.reset();
     assert_eq!((document.undo(), document.redo()), (None, None));
@@ -229,7 +229,7 @@ fn all_edits_of_one_landmark_are_switched_off_together() {
 }
 
 #[test]
-fn a_history_goes_on_over_other_triangles() {
+fn a_history_continues_on_another_triangulation() {
     let mut document = Document::new(portrait(Triangulation::Canonical)).unwrap();
     document.apply("one", single_move(4, DVec3::Z * 0.01)).unwrap();
     document.apply("two", single_move(152, DVec3::Y * 0.01)).unwrap();
@@ -245,7 +245,7 @@ fn a_history_goes_on_over_other_triangles() {
 }
 
 #[test]
-fn text_that_is_no_history_is_refused() {
+fn invalid_histories_are_refused() {
     let other = format!(r#"{{"rosto":"history","version":{},"entries":[]}}"#, project::VERSION + 1);
     let cases = [
         ("", project::ProjectError::NotAHistory),
@@ -275,7 +275,7 @@ fn a_refused_command_changes_nothing() {
         single_move(468, DVec3::Z),
         single_move(4, DVec3::splat(f64::NAN)),
         Command::Move { spec: pinned, offsets: vec![DVec3::Z] },
-        Command::Move { spec: mirrored_grip(4), offsets: vec![] },
+        Command::Move { spec: mirrored_spec(4), offsets: vec![] },
         Command::Symmetrise { share: 1.5 },
     ];
     for command in refused {

@@ -1,4 +1,4 @@
-//! Radii and turning details.
+//! Influence radii and rotating details.
 
 use glam::DVec3;
 use rosto_face::Triangulation;
@@ -29,27 +29,30 @@ fn nothing_moves_outside_the_radius() {
     let distances = Geodesics::new(document.topology(), document.rest()).unwrap().distances(&[205]).unwrap();
     let mut inside = 0;
     for (vertex, distance) in distances.into_iter().enumerate() {
-        let way = document.positions()[vertex] - document.rest()[vertex];
-        assert!(distance < RADIUS_M || way == DVec3::ZERO, "vertex {vertex}, {distance} m away, moved by {way}");
-        inside += usize::from(way.length() > 1e-6);
+        let displacement = document.positions()[vertex] - document.rest()[vertex];
+        assert!(
+            distance < RADIUS_M || displacement == DVec3::ZERO,
+            "vertex {vertex}, {distance} m away, moved by {way}"
+        );
+        inside += usize::from(displacement.length() > 1e-6);
     }
     assert!(inside > 5, "{inside} vertices follow");
 }
 
 #[test]
-fn anchors_outside_a_radius_stay_exactly() {
+fn anchors_outside_a_radius_stay_in_place() {
     let anchors = Anchors { kind: AnchorKind::Outside { radius: RADIUS_M }, pins: vec![50] };
     let document =
         moved(Settings { anchors, constraint: ConstraintKind::Hard, ..Settings::default() }, DVec3::Z * 0.01);
     assert!(document.anchors().len() > 100 && document.anchors().contains(&50));
     for &anchor in document.anchors() {
-        let way = document.positions()[anchor as usize] - document.rest()[anchor as usize];
-        assert!(way.length() < 1e-12);
+        let displacement = document.positions()[anchor as usize] - document.rest()[anchor as usize];
+        assert!(displacement.length() < 1e-12);
     }
 }
 
 #[test]
-fn turning_details_bend_less_and_still_reach_the_target() {
+fn rotating_details_stretch_less_and_reach_the_target() {
     let settings = |details| Settings { details, constraint: ConstraintKind::Hard, ..Settings::default() };
     let stretch = |document: &Document| -> f64 {
         let length = |at: &[DVec3], [a, b]: [u32; 2]| at[a as usize].distance(at[b as usize]);
@@ -63,7 +66,7 @@ fn turning_details_bend_less_and_still_reach_the_target() {
 }
 
 #[test]
-fn a_turning_drag_can_be_followed_by_another_and_replays_the_same() {
+fn consecutive_drags_with_rotating_details_replay_identically() {
     let settings =
         Settings { details: Details::AsRigidAsPossible, constraint: ConstraintKind::Hard, ..Settings::default() };
     let mut document = moved(settings, DVec3::Z * 0.01);

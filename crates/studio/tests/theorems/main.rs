@@ -1,4 +1,4 @@
-//! What must hold for every document, run natively and, with the same bodies, in a browser.
+//! Property tests of the document, run natively and in a browser.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -7,10 +7,10 @@ mod expressions;
 mod faces;
 mod golden_edits;
 mod history;
-mod in_photo;
 mod influence_radius;
 mod mirror;
 mod paper;
+mod photo_warp;
 mod robust;
 #[path = "../../../../tests/seeded.rs"]
 mod seeded;

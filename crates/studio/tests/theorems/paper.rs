@@ -1,4 +1,4 @@
-//! The paper's experiment is the same on every machine but for the clock.
+//! The paper's experiment is reproducible except for its times.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ fn experiment() -> Experiment {
     Experiment::new(Triangulation::Tessellation.topology(), portrait_image()).unwrap()
 }
 
-/// A finished trial in which the number-th edit takes `times_ms[number]`.
+/// A finished trial whose n-th edit takes `times_ms[n]`.
 fn trial(experiment: &Experiment, method: Method, seed: u64, times_ms: [u64; 6]) -> Trial {
     let mut trial = Trial::new(experiment, method, seed);
     let mut times = times_ms.into_iter();
@@ -26,7 +26,7 @@ fn trial(experiment: &Experiment, method: Method, seed: u64, times_ms: [u64; 6])
 }
 
 #[test]
-fn a_trial_moves_each_degree_a_little_and_then_a_lot() {
+fn a_trial_applies_the_small_then_the_large_offset_to_each_degree() {
     let (experiment, topology) = (experiment(), Triangulation::Tessellation.topology());
     let trial = trial(&experiment, Method::default(), 7, [1; 6]);
     let plans: Vec<(usize, usize)> = trial.edits().iter().map(|edit| (edit.plan.degree, edit.plan.round)).collect();
@@ -39,7 +39,7 @@ fn a_trial_moves_each_degree_a_little_and_then_a_lot() {
 }
 
 #[test]
-fn the_papers_method_is_the_documents_default_edit() {
+fn the_default_edit_is_the_papers_method() {
     let experiment = experiment();
     let trial = trial(&experiment, Method::default(), 3, [1; 6]);
     let rest = Rest::new(Triangulation::Tessellation.topology(), portrait_image(), CoordinateFrame::Other);
@@ -54,7 +54,7 @@ fn the_papers_method_is_the_documents_default_edit() {
 }
 
 #[test]
-fn the_same_seed_is_the_same_trial_and_each_method_its_own() {
+fn trials_depend_on_seed_and_method() {
     let experiment = experiment();
     let of = |method, seed| trial(&experiment, method, seed, [1; 6]);
     for method in Method::all() {
@@ -62,7 +62,7 @@ fn the_same_seed_is_the_same_trial_and_each_method_its_own() {
         assert_ne!(of(method, 1).edits(), of(method, 2).edits());
     }
     let ends: Vec<_> = Method::all().into_iter().map(|method| bits(&of(method, 1).after_rounds()[1])).collect();
-    assert!(ends.iter().enumerate().all(|(i, end)| !ends[..i].contains(end)), "two methods did the same");
+    assert!(ends.iter().enumerate().all(|(i, end)| !ends[..i].contains(end)), "two methods gave the same result");
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn the_claims_follow_the_times() {
 }
 
 #[test]
-fn the_plot_has_a_dot_for_each_edit_and_its_words_are_safe() {
+fn the_plot_has_a_dot_for_each_edit_and_escapes_its_texts() {
     let experiment = experiment();
     let trials = [1, 2].map(|seed| trial(&experiment, Method::default(), seed, [2, 4, 2, 6, 12, 6]));
     let [title, degree, small, large] = ["a < b & c", "grau", "pequeno", "grande"].map(str::to_owned);
@@ -88,7 +88,7 @@ fn the_plot_has_a_dot_for_each_edit_and_its_words_are_safe() {
 }
 
 #[test]
-fn table_1_has_a_row_for_each_step() {
+fn table_1_has_a_row_for_each_task() {
     let tasks: Vec<Task> = TABLE_1.iter().map(|row| row.task).collect();
     let edits = [(3, 0), (6, 0), (8, 0), (3, 1), (6, 1), (8, 1)].map(|(degree, round)| Task::Edit { degree, round });
     assert_eq!(tasks, [&[Task::Extraction, Task::Generation][..], &edits].concat());

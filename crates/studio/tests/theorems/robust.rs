@@ -1,4 +1,4 @@
-//! Histories from elsewhere, long ones, and ones that other triangles have no answer to.
+//! Histories from files, long histories, and histories that another triangulation cannot apply.
 
 use glam::DVec3;
 use rosto_face::{MAX_DENSITY, Triangulation};
@@ -17,9 +17,9 @@ fn point(level: u32, handles: Vec<u32>, settings: Settings) -> Command {
     Command::Move { spec: EditSpec { level, handles, settings }, offsets }
 }
 
-/// More shapes than are kept: those in between are carried out again.
+/// More shapes than the cache retains; those in between are recomputed.
 #[test]
-fn thousands_of_entries_replay_and_every_step_back_is_bit_for_bit_what_it_was() {
+fn long_histories_replay_and_undo_bit_by_bit() {
     let rest = canonical(Triangulation::Canonical);
     let step = |index: u32| entry(single_move(index % 468, DVec3::new(0.0, 1e-6, 2e-6) * f64::from(index % 7)));
     let mut document = Document::replay(rest.clone(), (0..6_000).map(step).collect()).unwrap();
@@ -35,7 +35,7 @@ fn thousands_of_entries_replay_and_every_step_back_is_bit_for_bit_what_it_was() 
 }
 
 #[test]
-fn handles_that_come_to_lie_on_one_vertex_of_other_triangles_move_it_together() {
+fn handles_that_map_to_one_vertex_are_merged() {
     let mut filled = Document::new(canonical(Triangulation::Canonical)).unwrap();
     filled.set_density(2).unwrap();
     let settings = Settings { constraint: ConstraintKind::Hard, ..Settings::default() };
@@ -53,14 +53,14 @@ fn handles_that_come_to_lie_on_one_vertex_of_other_triangles_move_it_together() 
 }
 
 #[test]
-fn an_entry_without_an_answer_on_other_triangles_is_passed_over_and_comes_back() {
+fn impossible_entries_are_skipped_and_return_with_their_triangulation() {
     let mut filled = Document::new(canonical(Triangulation::Canonical)).unwrap();
     filled.set_density(1).unwrap();
     let settings = Settings { mirror: Mirror::On, anchors: Anchors::random(3), ..Settings::default() };
     filled.apply("symmetric", point(1, vec![1_500], settings)).unwrap();
     let edited = bits(filled.positions());
     let history = filled.history().clone();
-    // Dense meshes with open eyes and mouth have no mirror image.
+    // Denser tessellations are not symmetric.
     let mut open = Document::resume(canonical(Triangulation::Tessellation), history.clone()).unwrap();
     open.set_density(1).unwrap();
     assert_eq!(open.status(0), Some(&EntryStatus::Impossible(StudioError::NoMirror)));
@@ -72,7 +72,7 @@ fn an_entry_without_an_answer_on_other_triangles_is_passed_over_and_comes_back()
 }
 
 #[test]
-fn a_file_that_names_what_no_mesh_has_or_one_vertex_twice_is_refused_whether_or_not_the_entry_counts() {
+fn invalid_entries_are_refused_on_or_off() {
     let far = |level| point(level, vec![9_999], Settings::default());
     let pinned = point(0, vec![4], Settings { anchors: Anchors::explicit(vec![468]), ..Settings::default() });
     let many = point(3, (0..20_000).collect(), Settings::default());
@@ -100,15 +100,15 @@ fn a_file_that_names_what_no_mesh_has_or_one_vertex_twice_is_refused_whether_or_
 }
 
 #[test]
-fn a_grip_that_has_no_answer_leaves_the_one_that_is_held() {
+fn a_failed_prepare_retains_the_prepared_edit() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
-    document.prepare(mirrored_grip(61)).unwrap();
+    document.prepare(mirrored_spec(61)).unwrap();
     document.preview(&[DVec3::Z * 0.01]).unwrap();
     let shown = bits(document.positions());
     let unanchored = Settings { anchors: Anchors::explicit(Vec::new()), ..Settings::default() };
     for handles in [vec![4], vec![468], vec![], vec![4, 4]] {
         let spec = EditSpec { level: 0, handles, settings: unanchored.clone() };
         assert!(document.prepare(spec).is_err());
-        assert_eq!((document.spec(), bits(document.positions())), (Some(&mirrored_grip(61)), shown.clone()));
+        assert_eq!((document.spec(), bits(document.positions())), (Some(&mirrored_spec(61)), shown.clone()));
     }
 }

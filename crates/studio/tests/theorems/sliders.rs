@@ -1,4 +1,4 @@
-//! The ready-made sliders change what they are named after, evenly on both sides, and bend nothing out of shape.
+//! Sliders change the proportion that they name, symmetrically and without peaks or inverted triangles.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ fn moved(slider: FaceSlider, amount_m: f64) -> Document {
     document
 }
 
-/// The distance that a slider is named after, and by how many times its amount it grows.
+/// The end points and axis of a slider's proportion, and its growth as a multiple of the amount.
 fn measure(slider: FaceSlider) -> (u32, u32, DVec3, f64) {
     match slider {
         FaceSlider::NoseWidth => (64, 294, DVec3::X, 2.0),
@@ -35,7 +35,7 @@ fn measure(slider: FaceSlider) -> (u32, u32, DVec3, f64) {
 }
 
 #[test]
-fn each_slider_grows_its_measure_by_its_amount() {
+fn sliders_change_their_proportion_by_their_amount() {
     for slider in FaceSlider::ALL {
         let (from, to, axis, times) = measure(slider);
         let length = |at: &[DVec3]| (at[to as usize] - at[from as usize]).dot(axis);
@@ -48,32 +48,34 @@ fn each_slider_grows_its_measure_by_its_amount() {
 }
 
 #[test]
-fn each_slider_is_symmetric_and_at_zero_the_identity() {
+fn sliders_are_symmetric_and_zero_is_the_identity() {
     for slider in FaceSlider::ALL {
         let document = moved(slider, slider.range_m());
         for vertex in 0..468 {
             let partner = mirror_of(vertex) as usize;
-            let way = |vertex: usize| document.positions()[vertex] - document.rest()[vertex];
-            assert!((way(vertex as usize) - way(partner) * MIRROR).length() < 1e-12, "{slider:?}");
+            let displacement = |vertex: usize| document.positions()[vertex] - document.rest()[vertex];
+            assert!((displacement(vertex as usize) - displacement(partner) * MIRROR).length() < 1e-12, "{slider:?}");
         }
         assert_eq!(moved(slider, 0.0).positions(), document.rest());
     }
 }
 
 #[test]
-fn no_slider_raises_a_peak_or_turns_a_triangle_over() {
+fn sliders_raise_no_peaks_and_invert_no_triangles() {
     let mut found = Vec::new();
     for slider in FaceSlider::ALL {
         for amount_m in [-slider.range_m(), slider.range_m()] {
             let document = moved(slider, amount_m);
-            let way: Vec<DVec3> = document.positions().iter().zip(document.rest()).map(|(to, at)| *to - *at).collect();
-            found
-                .extend(peaks(document.topology(), &way).iter().map(|peak| format!("{slider:?} {amount_m}: {peak:?}")));
+            let displacement: Vec<DVec3> =
+                document.positions().iter().zip(document.rest()).map(|(to, at)| *to - *at).collect();
+            found.extend(
+                peaks(document.topology(), &displacement).iter().map(|peak| format!("{slider:?} {amount_m}: {peak:?}")),
+            );
             let turned = |corners: &&[u32; 3]| {
                 normal(document.positions(), corners).dot(normal(document.rest(), corners)) <= 0.0
             };
             let turned = document.topology().triangles().iter().filter(turned);
-            found.extend(turned.map(|corners| format!("{slider:?} {amount_m}: {corners:?} turned over")));
+            found.extend(turned.map(|corners| format!("{slider:?} {amount_m}: {corners:?} inverted")));
         }
     }
     assert!(found.is_empty(), "{found:#?}");

@@ -1,4 +1,4 @@
-//! What a command works on is read from the command itself.
+//! Targets are derived from commands.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ fn of_region(region: Region, offset: DVec3) -> Command {
 }
 
 #[test]
-fn every_slider_is_told_from_what_it_does_with_its_amount() {
+fn sliders_and_amounts_are_recognised_from_commands() {
     for slider in FaceSlider::ALL {
         for amount_m in [-0.004, 0.0011] {
             let command = slider.command(amount_m);
@@ -31,7 +31,7 @@ fn every_slider_is_told_from_what_it_does_with_its_amount() {
 }
 
 #[test]
-fn a_slider_with_one_handle_off_its_way_is_none() {
+fn a_deviating_handle_makes_a_command_not_a_slider() {
     let Command::Move { spec, mut offsets } = FaceSlider::JawWidth.command(0.004) else { panic!("it moves") };
     offsets[2].y += 1e-6;
     let command = Command::Move { spec: spec.clone(), offsets };
@@ -40,7 +40,7 @@ fn a_slider_with_one_handle_off_its_way_is_none() {
 }
 
 #[test]
-fn regions_and_landmarks_are_told_from_their_handles() {
+fn regions_and_landmarks_are_recognised_from_handles() {
     let offset = DVec3::new(0.0, 0.003, 0.004);
     for region in Region::ALL {
         let command = of_region(region, offset);
@@ -56,7 +56,7 @@ fn regions_and_landmarks_are_told_from_their_handles() {
 }
 
 #[test]
-fn targets_have_ids_of_their_own_within_their_kind() {
+fn target_ids_are_distinct_within_their_kind() {
     let regions = Region::ALL.map(EditTarget::Region);
     let sliders = FaceSlider::ALL.map(EditTarget::Slider);
     let landmarks: Vec<EditTarget> = (0..468).map(EditTarget::Landmark).collect();
@@ -70,11 +70,11 @@ fn targets_have_ids_of_their_own_within_their_kind() {
 }
 
 #[test]
-fn a_point_of_a_denser_mesh_knows_the_part_of_the_face_around_it() {
+fn points_of_denser_meshes_have_a_part_of_the_face() {
     let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
     let part =
         |document: &Document, vertex| document.part_of(EditTarget::Point { level: 1, vertex }).unwrap_or_default();
-    assert_eq!(part(&document, 1_045), "", "that mesh was never shown");
+    assert_eq!(part(&document, 1_045), "", "that mesh has not been built");
     document.set_density(1).unwrap();
     assert_eq!([1, 152, 425].map(|vertex| part(&document, vertex)), ["nose-tip", "chin", "left-cheek"]);
     assert_ne!(part(&document, 1_045), "");
@@ -84,7 +84,7 @@ fn a_point_of_a_denser_mesh_knows_the_part_of_the_face_around_it() {
 }
 
 #[test]
-fn amounts_of_a_slider_add_up_to_where_it_stands() {
+fn slider_amounts_add_up() {
     let slider = FaceSlider::LipFullness;
     let mut steps = Document::new(portrait(Triangulation::Canonical)).unwrap();
     for amount_m in [0.002, -0.0005, 0.001] {

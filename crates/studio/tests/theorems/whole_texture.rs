@@ -1,4 +1,4 @@
-//! A face's texture all around.
+//! Whole-face textures.
 
 use rosto_face::*;
 use rosto_studio::*;
@@ -12,7 +12,7 @@ fn taken(head: &Head, yaw_deg: f64) -> (FaceModel, Camera) {
     (face(head.photo(&camera), &head.landmarks(&camera), PhotoLens::Distance(DISTANCE_M)), camera)
 }
 
-/// The skin that none of the cameras sees, and that which one does.
+/// Masks of the skin that none of the cameras sees, and of the skin that one of them sees.
 fn hidden_and_seen(head: &Head, cameras: &[Camera]) -> [Vec<bool>; 2] {
     let side = SIDE_PX as usize;
     let seen: Vec<Vec<bool>> = cameras.iter().map(|camera| head.seen(camera, side)).collect();
@@ -23,7 +23,7 @@ fn hidden_and_seen(head: &Head, cameras: &[Camera]) -> [Vec<bool>; 2] {
 }
 
 #[test]
-fn what_a_photo_does_not_show_is_nearer_to_the_truth_than_what_lies_behind_it_in_the_photo() {
+fn hidden_skin_is_closer_to_the_truth_than_projected_pixels() {
     let head = Head::painted(SIDE_PX);
     for yaw_deg in [0.0, 40.0, -40.0] {
         let (face, camera) = taken(&head, yaw_deg);
@@ -39,7 +39,7 @@ fn what_a_photo_does_not_show_is_nearer_to_the_truth_than_what_lies_behind_it_in
 }
 
 #[test]
-fn three_photos_of_different_exposure_show_all_of_a_face() {
+fn three_photos_of_different_exposure_cover_the_face() {
     let head = Head::painted(SIDE_PX);
     let (front, camera) = taken(&head, 0.0);
     let sides = [40.0, -40.0].map(|yaw_deg| taken(&head, yaw_deg));
@@ -59,9 +59,9 @@ fn three_photos_of_different_exposure_show_all_of_a_face() {
     assert!(most <= 3.0, "{most} levels by the order of the photos");
 }
 
-/// What is drawn is a matter of the face alone, and not of how its landmarks are joined.
+/// The texture depends on the face, not on its triangulation.
 #[test]
-fn both_triangulations_have_one_texture() {
+fn both_triangulations_give_the_same_texture() {
     let head = Head::painted(SIDE_PX);
     let (canonical, camera) = taken(&head, 20.0);
     let (width, height, colours) = (SIZE_PX, SIZE_PX, [[0; 3]; LANDMARK_COUNT]);
@@ -73,17 +73,17 @@ fn both_triangulations_have_one_texture() {
 }
 
 #[test]
-fn other_than_468_places_are_refused() {
+fn shots_without_468_positions_are_refused() {
     let head = Head::painted(256);
     let (front, camera) = taken(&head, 0.0);
     let uvs = vec![glam::DVec2::ZERO; 467];
     let refused = whole_texture_of(&front, &[Shot { picture: front.picture(), uvs: &uvs, camera: &camera }], 256);
-    assert_eq!(refused.unwrap_err().to_string(), "467 places in a photo for 468 vertices");
+    assert_eq!(refused.unwrap_err().to_string(), "467 positions in a photo for 468 vertices");
 }
 
-/// A texel to every half a pixel, so that a photo of twice the width fills a texture of twice the side.
+/// Two texels per photo pixel, so that a photo of twice the width needs a texture of twice the side.
 #[test]
-fn a_texture_is_as_long_as_its_photo_can_fill_and_no_longer_than_is_asked_for() {
+fn the_texture_side_fits_the_photo_and_the_limit() {
     let head = Head::painted(256);
     let camera = head.camera(0.0);
     let face_in = |size_px: u32| {

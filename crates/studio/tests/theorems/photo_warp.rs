@@ -1,4 +1,4 @@
-//! A face's edits in its photo.
+//! Edits applied to the photo.
 
 use glam::DVec2;
 use rosto_face::*;
@@ -10,14 +10,14 @@ use crate::seeded::Seeded;
 
 const SIZE_PX: u32 = 2048;
 
-/// The lids' rims from corner to corner, upper and lower.
+/// Edges of the upper and lower lid, from corner to corner.
 const LIDS: [[[usize; 7]; 2]; 2] = [
     [[246, 161, 160, 159, 158, 157, 173], [7, 163, 144, 145, 153, 154, 155]],
     [[466, 388, 387, 386, 385, 384, 398], [249, 390, 373, 374, 380, 381, 382]],
 ];
 
-/// The portrait's face with its eyes shut: both lids where the lower one was, found as exactly as landmarks are.
-fn asleep(triangulation: Triangulation) -> FaceModel {
+/// The portrait with closed eyes: both lids at the lower one's position, with the precision of detected landmarks.
+fn with_closed_eyes(triangulation: Triangulation) -> FaceModel {
     let mut landmarks = portrait_landmarks();
     let mut seeded = Seeded::new(3);
     for [uppers, lowers] in LIDS {
@@ -37,12 +37,12 @@ fn asleep(triangulation: Triangulation) -> FaceModel {
         .unwrap()
 }
 
-/// Where a warp takes a place.
-fn carried(warp_mesh: &WarpMesh, place: DVec2) -> DVec2 {
+/// Position to which a warp moves a point.
+fn warped(warp_mesh: &WarpMesh, point: DVec2) -> DVec2 {
     let area = |[a, b, c]: [DVec2; 3]| (b - a).perp_dot(c - a);
     let shares = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|corner| warp_mesh.from_px[corner as usize]);
-        [[place, b, c], [a, place, c], [a, b, place]].map(|part| area(part) / area([a, b, c]))
+        [[point, b, c], [a, point, c], [a, b, point]].map(|part| area(part) / area([a, b, c]))
     };
     let within = |corners: &&[u32; 3]| shares(corners).iter().all(|share| *share >= -1e-9);
     let corners = warp_mesh.triangles.iter().find(within).unwrap();
@@ -50,10 +50,10 @@ fn carried(warp_mesh: &WarpMesh, place: DVec2) -> DVec2 {
 }
 
 #[test]
-fn the_line_between_lids_that_are_shut_does_not_go_zigzag() {
+fn the_line_between_closed_lids_stays_smooth() {
     const STEPS: usize = 24;
     for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
-        let face = asleep(triangulation);
+        let face = with_closed_eyes(triangulation);
         let found = |landmark: usize| {
             let [x, y, _] = face.landmarks()[landmark];
             DVec2::new(x.into(), y.into()) * f64::from(SIZE_PX)
@@ -62,8 +62,8 @@ fn the_line_between_lids_that_are_shut_does_not_go_zigzag() {
             let mut document = Document::new(Rest::of_face(&face)).unwrap();
             document.set_density(density).unwrap();
             document.apply(FaceSlider::EyeSize.id(), FaceSlider::EyeSize.command(0.003)).unwrap();
-            let mut in_photo = InPhoto::new(&face, &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
-            in_photo.follow(document.rest(), document.positions(), face.camera(), face.camera());
+            let mut photo_warp = PhotoWarp::new(&face, &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
+            photo_warp.follow(document.rest(), document.positions(), face.camera(), face.camera());
             for lids in LIDS {
                 let along = |i: usize| lids.map(|lid| found(lid[i])).iter().sum::<DVec2>() / 2.0;
                 let line: Vec<DVec2> = (0..=STEPS)
@@ -73,10 +73,12 @@ fn the_line_between_lids_that_are_shut_does_not_go_zigzag() {
                         along(from).lerp(along(from + 1), at - from as f64)
                     })
                     .collect();
-                let ways: Vec<DVec2> = line.iter().map(|&place| carried(in_photo.warp_mesh(), place) - place).collect();
-                let bend_px = |ways: &[DVec2]| (ways[1] - 0.5 * (ways[0] + ways[2])).length();
-                let most_px = ways.windows(3).map(bend_px).fold(0.0, f64::max);
-                assert!(most_px < 2.0, "{triangulation:?}, density {density}: it bends by {most_px} px");
+                let displacements: Vec<DVec2> =
+                    line.iter().map(|&point| warped(photo_warp.warp_mesh(), point) - point).collect();
+                let bend_px =
+                    |displacements: &[DVec2]| (displacements[1] - 0.5 * (displacements[0] + displacements[2])).length();
+                let max_px = displacements.windows(3).map(bend_px).fold(0.0, f64::max);
+                assert!(max_px < 2.0, "{triangulation:?}, density {density}: it bends by {most_px} px");
             }
         }
     }
