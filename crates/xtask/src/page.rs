@@ -85,7 +85,7 @@ pub fn reproduce(_: &[&str]) -> Result<()> {
     build(&setup::for_page()?)?;
     let other = cache()?.join(format!("another-checkout-{}", std::process::id()));
     git("worktree add --detach").arg(&other).checked()?;
-    // A separate build folder, and the toolchain that the checkout selects.
+    // Uses the checkout's own target folder.
     let mut again = Run::new("cargo").words("xtask dist").current_dir(&other).log("reproduce");
     again.command.env_remove("CARGO_TARGET_DIR");
     let compared = announced("second build", "from scratch, in another folder", || {
