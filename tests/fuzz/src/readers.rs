@@ -17,7 +17,9 @@ pub fn picture(bytes: &[u8]) -> bool {
     let decoded = decode(bytes, &LIMITS);
     match &decoded {
         Ok(photo) => assert_sound(photo),
-        Err(error) => assert!(!error.to_string().is_empty() && !error.hint().is_empty(), "an error without a message or hint"),
+        Err(error) => {
+            assert!(!error.to_string().is_empty() && !error.hint().is_empty(), "an error without a message or hint")
+        }
     }
     decoded.is_ok()
 }
