@@ -1,60 +1,60 @@
 import { make } from "../js/page/dom.js";
 import { Replaced } from "../js/photo/vision-client.js";
-import { openPictures, takeFace } from "../js/photo/open-picture.js";
+import { openFace, openPictures } from "../js/photo/open-picture.js";
 import { Host } from "../js/viewport/host.js";
 import { LandmarkMarks } from "../js/viewport/landmark-marks.js";
 import { isTrap } from "../js/viewport/studio-module.js";
 import { setUpViewKeys } from "../js/viewport/shortcuts.js";
 import { WholeTexture } from "../js/viewport/whole-texture.js";
+import { editStateOf } from "../js/work/edit-state.js";
 import { stemOf } from "../js/work/file-name.js";
 import { photosOf } from "../js/work/photos.js";
 import { kindOf, readSavedFile } from "../js/work/saved-file.js";
-import { standing } from "../js/work/standing.js";
 import { loadWords } from "../js/words/words.js";
-import { writtenFile } from "../js/work/written-file.js";
+import { exportedFile } from "../js/work/exported-file.js";
 import { borrowVision, facesIn, returnVision } from "./shared-vision.js";
 
 /**
  * @typedef {import("../js/work/work.js").OpenedFace} OpenedFace
- * @typedef {import("../js/work/work.js").Done} Done
+ * @typedef {import("../js/work/work.js").EditState} EditState
  * @typedef {import("../js/worker/protocol.js").Stage} Stage
  *
- * @typedef {object} Told what is told of the session
+ * @typedef {object} Listeners
  * @property {(stage: Stage | "loading", fraction: number) => void} progress
  * @property {() => void} face another face is shown
- * @property {() => void} change its edits are others
- * @property {() => void} announce anything about it is another
- * @property {(thrown: unknown, owner: string) => void} error that nobody waits for, and whose it is
- * @property {(owner: string) => void} settled what was told as that owner's error is over
+ * @property {() => void} change the edits have changed
+ * @property {() => void} announce any state has changed
+ * @property {(thrown: unknown, owner: string) => void} error of a background operation, with its owner
+ * @property {(owner: string) => void} settled the owner's error no longer applies
  */
 
-/** @type {Told} */
-const UNHEARD = { progress: () => {}, face: () => {}, change: () => {}, announce: () => {}, error: (thrown) => console.error(thrown), settled: () => {} };
+/** @type {Listeners} */
+const NO_LISTENERS = { progress: () => {}, face: () => {}, change: () => {}, announce: () => {}, error: (thrown) => console.error(thrown), settled: () => {} };
 
-/** A face on a canvas, with the hand's gestures and keys: what the page has of it, without the page. */
+/** A face on a canvas with gestures and keys, without the page's interface. */
 export class FaceSession {
-  /** Photos are brought in one after the other: each takes several tasks. @type {Promise<unknown>} */
+  /** Queue: opening a face takes several tasks. @type {Promise<unknown>} */
   #last = Promise.resolve();
   #newest = 0;
-  #told;
+  #listeners;
   #texture;
   /** @type {OpenedFace | undefined} */
   #face;
   /** @type {OpenedFace[]} */
   #faces = [];
-  /** @type {Done | undefined} */
-  #done;
-  #isTaking = false;
+  /** @type {EditState | undefined} */
+  #edits;
+  #isOpening = false;
 
   /**
-   * Opens a session on a canvas that was never drawn on; throws `{code: "no-webgl", …}` where the browser cannot draw in 3D.
+   * Opens a session on an unused canvas; throws `{code: "no-webgl", …}` if the browser cannot draw in 3D.
    *
    * @param {HTMLCanvasElement} canvas
-   * @param {Partial<Told>} [told]
-   * @param {HTMLOutputElement} [tag] beside the canvas, for names of landmarks
+   * @param {Partial<Listeners>} [listeners]
+   * @param {HTMLOutputElement} [tag] next to the canvas, shows landmark names
    */
-  static async open(canvas, told = {}, tag = make("output")) {
-    const all = { ...UNHEARD, ...told };
+  static async open(canvas, listeners = {}, tag = make("output")) {
+    const all = { ...NO_LISTENERS, ...listeners };
     await loadWords(navigator.language);
     return new FaceSession(await Host.open(canvas, { show: all.error, hide: all.settled }), tag, all);
   }
@@ -62,31 +62,30 @@ export class FaceSession {
   /**
    * @param {Host} host
    * @param {HTMLOutputElement} tag
-   * @param {Told} told
+   * @param {Listeners} listeners
    */
-  constructor(host, tag, told) {
+  constructor(host, tag, listeners) {
     this.host = host;
-    this.#told = told;
+    this.#listeners = listeners;
     new LandmarkMarks(host, { tag });
     setUpViewKeys(host);
     this.#texture = new WholeTexture(host, borrowVision(), this, () => {});
-    host.onChange(() => this.#follow());
-    host.onRestart(() => this.#workAgain());
+    host.onChange(() => this.#onChange());
+    host.onRestart(() => this.#restore());
   }
 
-  /** The face that is shown. */
+  /** The open face. */
   get face() {
     return this.#face;
   }
 
-  /** All faces of its photo, the most prominent first. */
+  /** All faces of the photo, most prominent first. */
   get faces() {
     return this.#faces;
   }
 
   /**
-   * Shows the face of a photo, or of a GLB or project that was saved. A newer one replaces an older, which is then rejected
-   * with `Replaced`.
+   * Opens a photo, GLB or project. A newer call rejects the pending one with `Replaced`.
    *
    * @param {Blob} file
    */
@@ -94,11 +93,11 @@ export class FaceSession {
     const isWanted = this.#ticket();
     const kind = await kindOf(file);
     if (kind === "other") {
-      const faces = await facesIn(file, stemOf(file), this.#told.progress, isWanted);
+      const faces = await facesIn(file, stemOf(file), this.#listeners.progress, isWanted);
       return this.#show(faces, 0, undefined, isWanted);
     }
-    const { face, changedElsewhere: _, ...done } = await readSavedFile(file, kind);
-    return this.#show([face], 0, done, isWanted);
+    const { face, changedElsewhere: _, ...edits } = await readSavedFile(file, kind);
+    return this.#show([face], 0, edits, isWanted);
   }
 
   /**
@@ -111,28 +110,28 @@ export class FaceSession {
   }
 
   /**
-   * Carries an intent out; what goes wrong is thrown.
+   * Applies an intent; throws if the studio rejects it.
    *
    * @param {(studio: import("../js/viewport/host.js").Studio) => import("../js/viewport/host.js").ChangeName | void} intent
    */
   apply(intent) {
-    return this.#watched(() => this.host.attempt(intent));
+    return this.#guarded(() => this.host.attempt(intent));
   }
 
   /**
-   * The face as a file.
+   * Exports the face.
    *
    * @param {string} format such as "glb"
-   * @param {import("../js/work/written-file.js").Chosen} chosen
+   * @param {import("../js/work/exported-file.js").ExportChoices} chosen
    */
   async file(format, chosen) {
     if (!this.#face) throw { code: "no-face", message: "no face is open", hint: "" };
-    const written = writtenFile(this.host, this.#texture, format, { "base-colour": "whole", ...chosen });
-    const bytes = await written.catch((error) => this.#mind(error));
+    const file = exportedFile(this.host, this.#texture, format, { "base-colour": "whole", ...chosen });
+    const bytes = await file.catch((error) => this.#rethrow(error));
     return new Blob([/** @type {BlobPart} */ (bytes)], { type: this.host.answer((studio) => studio.mediaType(format)) });
   }
 
-  /** Gives everything back. */
+  /** Frees the session's resources. */
   close() {
     this.#newest += 1;
     this.host.close();
@@ -147,52 +146,52 @@ export class FaceSession {
   /**
    * @param {OpenedFace[]} faces
    * @param {number} index
-   * @param {Done | undefined} done
+   * @param {EditState | undefined} edits
    * @param {() => boolean} isWanted
    */
-  async #show(faces, index, done, isWanted) {
+  async #show(faces, index, edits, isWanted) {
     const face = faces[index];
     if (!face) throw { code: "bad-number", message: `face ${index} of ${faces.length}`, hint: "" };
-    const shown = this.#last.then(() => this.#bringIn(face, done, isWanted));
+    const shown = this.#last.then(() => this.#openFace(face, edits, isWanted));
     this.#last = shown.catch(() => {});
     await shown;
     this.#faces = faces;
-    this.#told.face();
+    this.#listeners.face();
     this.host.announce();
   }
 
   /**
    * @param {OpenedFace} face
-   * @param {Done | undefined} done
+   * @param {EditState | undefined} edits
    * @param {() => boolean} isWanted
    */
-  async #bringIn(face, done, isWanted) {
-    const photos = photosOf({ ...face, lens: done?.lens ?? face.lens });
+  async #openFace(face, edits, isWanted) {
+    const photos = photosOf({ ...face, lens: edits?.lens ?? face.lens });
     if (!isWanted() || !(await openPictures(this.host, photos, isWanted))) throw new Replaced();
-    this.#isTaking = true;
+    this.#isOpening = true;
     try {
-      this.#watched(() => takeFace(this.host, photos, done));
+      this.#guarded(() => openFace(this.host, photos, edits));
       this.#face = face;
     } finally {
-      this.#isTaking = false;
+      this.#isOpening = false;
     }
-    this.#done = standing(this.host);
+    this.#edits = editStateOf(this.host);
   }
 
-  #follow() {
-    if (this.#isTaking) return;
-    const done = this.#face && standing(this.host);
-    if (!done) return;
-    const isEdited = done.edits !== this.#done?.edits;
-    this.#done = done;
-    if (isEdited) this.#told.change();
-    this.#told.announce();
+  #onChange() {
+    if (this.#isOpening) return;
+    const edits = this.#face && editStateOf(this.host);
+    if (!edits) return;
+    const isEdited = edits.edits !== this.#edits?.edits;
+    this.#edits = edits;
+    if (isEdited) this.#listeners.change();
+    this.#listeners.announce();
   }
 
-  /** The studio was started again, and is empty. */
-  async #workAgain() {
-    const [face, done] = [this.#face, this.#done];
-    if (face) await this.#bringIn(face, done, this.#ticket());
+  /** Restores the face after the studio has restarted. */
+  async #restore() {
+    const [face, edits] = [this.#face, this.#edits];
+    if (face) await this.#openFace(face, edits, this.#ticket());
   }
 
   /**
@@ -200,21 +199,21 @@ export class FaceSession {
    * @param {() => T} act
    * @returns {T}
    */
-  #watched(act) {
+  #guarded(act) {
     try {
       return act();
     } catch (error) {
-      return this.#mind(error);
+      return this.#rethrow(error);
     }
   }
 
   /**
-   * A trap is seen to here; whoever asked hears of it in any case.
+   * Rethrows an error to the caller; after a wasm trap, also restarts the studio.
    *
    * @param {unknown} error
    * @returns {never}
    */
-  #mind(error) {
+  #rethrow(error) {
     if (isTrap(error)) this.host.fail(error);
     throw error;
   }

@@ -1,5 +1,5 @@
 /**
- * A file from an address, with the name that it has there.
+ * Fetches a file and names it after its URL.
  *
  * @param {string} url
  */
@@ -14,7 +14,7 @@ export async function fetchedFile(url) {
 }
 
 /**
- * The picture that stands in an element for its photo, once its address is settled.
+ * URL of the `img` child, once the browser has chosen its source.
  *
  * @param {HTMLElement} element
  */

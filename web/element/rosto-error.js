@@ -1,6 +1,6 @@
 import { asPageError } from "../js/page/page-error.js";
 
-/** What went wrong: a stable code to decide by, and English for those who develop. */
+/** An error with a stable code for programs, and an English message for developers. */
 export class RostoError extends Error {
   name = "RostoError";
 
@@ -16,7 +16,7 @@ export class RostoError extends Error {
   }
 
   /**
-   * What was thrown, whoever threw it.
+   * Wraps any thrown value.
    *
    * @param {unknown} thrown
    */

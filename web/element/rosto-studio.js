@@ -16,12 +16,12 @@ import { stateOf, themeOf } from "./state.js";
  * @typedef {import("../js/viewport/host.js").ChangeName} ChangeName
  */
 
-/** What an attribute chooses in the studio, under the same name. */
+/** Attributes that set the studio's choice of the same name. */
 const CHOICES = ["shading", "density", "lens"];
 
 /**
- * `<rosto-studio>`: the face in a photo as a mesh that can be turned and reshaped. The photo is named by `src`, or is an `img`
- * inside. See docs/embed.md.
+ * `<rosto-studio>`: the face in a photo as a mesh that the user can rotate and reshape. The photo comes from `src` or an `img`
+ * child. See docs/embed.md.
  */
 export class RostoStudio extends HTMLElement {
   static observedAttributes = ["src", "lang", "controls", ...CHOICES];
@@ -33,23 +33,23 @@ export class RostoStudio extends HTMLElement {
   #opened;
   /** @type {FaceSession | undefined} */
   #session;
-  #life = new AbortController();
-  /** The address of the photo that the markup gave last. @type {string | undefined} */
-  #given;
+  #teardown = new AbortController();
+  /** URL of the photo last given by the markup. @type {string | undefined} */
+  #photoUrl;
 
   connectedCallback() {
-    // One that was only moved within the page has never been closed.
+    // Still open if the element was only moved within the page.
     if (this.#opened) return;
-    this.#life = new AbortController();
-    const { signal } = this.#life;
+    this.#teardown = new AbortController();
+    const { signal } = this.#teardown;
     this.#stage = new Stage(this.#shadow);
     this.#opened = this.#open(this.#stage, signal);
     this.#opened.then(() => this.#emit("rosto-ready"), (error) => signal.aborted || this.#fail(error));
-    const look = () => this.#openGiven();
-    this.#stage.slot.addEventListener("slotchange", look);
-    // What an image loads does not bubble.
-    for (const type of ["load", "error"]) this.addEventListener(type, look, { capture: true, signal });
-    look();
+    const update = () => this.#openFromMarkup();
+    this.#stage.slot.addEventListener("slotchange", update);
+    // An image's load and error events do not bubble.
+    for (const type of ["load", "error"]) this.addEventListener(type, update, { capture: true, signal });
+    update();
   }
 
   disconnectedCallback() {
@@ -60,15 +60,15 @@ export class RostoStudio extends HTMLElement {
 
   /** @param {string} name @param {string | null} _ @param {string | null} value */
   attributeChangedCallback(name, _, value) {
-    // What is there from the beginning is read when the element is put on a page.
+    // Initial attributes are read when the element is connected.
     if (!this.#opened) return;
-    if (name === "src") this.#openGiven();
-    else if (name === "lang") this.#speak();
+    if (name === "src") this.#openFromMarkup();
+    else if (name === "lang") this.#updateLanguage();
     else if (name === "controls") this.#showTools();
     else if (value !== null && this.#session) this.#choose(this.#session, name, value);
   }
 
-  /** The address of the photo; what it names is opened. */
+  /** URL of the photo. Setting it opens the photo. */
   get src() {
     return this.getAttribute("src") ?? "";
   }
@@ -86,16 +86,16 @@ export class RostoStudio extends HTMLElement {
     this.toggleAttribute("controls", shown);
   }
 
-  /** How things stand. */
+  /** A snapshot of the element's state. */
   get state() {
     return stateOf(this.#session);
   }
 
   /**
-   * Opens a photo, or a GLB or project that was saved. Resolves once its face is shown; what stands in the way is thrown, and
-   * told by `rosto-error`. A newer one takes an older one's place, which then resolves to nothing done.
+   * Opens a photo, GLB or project, and resolves once its face is shown. Errors are thrown and also dispatched as
+   * `rosto-error`. A newer call cancels the pending one, which then resolves without effect.
    *
-   * @param {Blob | string} photo or its address
+   * @param {Blob | string} photo file or URL
    */
   async open(photo) {
     const file = Promise.resolve(typeof photo === "string" ? fetchedFile(new URL(photo, this.baseURI).href) : photo);
@@ -104,7 +104,7 @@ export class RostoStudio extends HTMLElement {
     try {
       await session.open(await file);
     } catch (error) {
-      if (error instanceof Replaced || this.#life.signal.aborted) return;
+      if (error instanceof Replaced || this.#teardown.signal.aborted) return;
       throw this.#fail(error);
     }
   }
@@ -112,7 +112,7 @@ export class RostoStudio extends HTMLElement {
   /**
    * Shows another face of the same photo.
    *
-   * @param {number} index from 0, the most prominent first
+   * @param {number} index from 0, most prominent first
    */
   async openFace(index) {
     const session = await this.#ready();
@@ -120,9 +120,9 @@ export class RostoStudio extends HTMLElement {
   }
 
   /**
-   * Moves a landmark, as one edit: the face follows.
+   * Moves a landmark, as one edit; the surface deforms smoothly.
    *
-   * @param {number} landmark its number in MediaPipe's mesh
+   * @param {number} landmark number in MediaPipe's mesh
    * @param {[x_mm: number, y_mm: number, z_mm: number]} offset_mm to the subject's left, up, and out of the face
    */
   moveLandmark(landmark, offset_mm) {
@@ -132,10 +132,10 @@ export class RostoStudio extends HTMLElement {
   }
 
   /**
-   * Sets a ready-made slider, as one edit.
+   * Sets a slider, as one edit.
    *
    * @param {string} slider such as "nose-width"
-   * @param {number} to_mm where it is to stand
+   * @param {number} to_mm new value
    */
   setSlider(slider, to_mm) {
     this.apply((studio) => studio.slide(slider, to_mm));
@@ -145,8 +145,8 @@ export class RostoStudio extends HTMLElement {
   /**
    * Sets an expression, as one edit.
    *
-   * @param {string} expression by ARKit's name, such as "jawOpen"
-   * @param {number} to how much of it is shown, 0 to 1
+   * @param {string} expression ARKit name, such as "jawOpen"
+   * @param {number} to weight, 0 to 1
    */
   express(expression, to) {
     this.apply((studio) => studio.express(expression, to));
@@ -161,29 +161,29 @@ export class RostoStudio extends HTMLElement {
     this.apply((studio) => studio.redo());
   }
 
-  /** Takes all edits back, as one that can be undone. */
+  /** Removes all edits, as one undoable step. */
   reset() {
     this.apply((studio) => studio.reset());
   }
 
   /**
-   * Anything else that the studio can do. What it refuses is thrown, and nothing is changed then.
+   * Calls any other method of the studio. If the studio rejects the intent, throws and changes nothing.
    *
    * @param {(studio: Studio) => ChangeName | void} intent
    */
   apply(intent) {
     try {
-      if (!this.#session) throw new RostoError("not-ready", "the element is not ready yet: rosto-ready tells when it is");
+      if (!this.#session) throw new RostoError("not-ready", "the element is not ready yet; wait for rosto-ready");
       this.#session.apply(intent);
-      // Choices are seen and change no document, of which the session tells.
-      this.#follow();
+      // The session reports document changes only, and a choice changes the view only.
+      this.#reflectState();
     } catch (error) {
       throw RostoError.of(error);
     }
   }
 
   /**
-   * The face as it stands as a GLB.
+   * Exports the face as GLB.
    *
    * @param {Record<string, string>} [choices] by id, such as `{ "base-colour": "photo" }`
    */
@@ -192,7 +192,7 @@ export class RostoStudio extends HTMLElement {
   }
 
   /**
-   * The face as it stands in another format: glb, obj, ply, stl, 3mf, usdz or json.
+   * Exports the face as glb, obj, ply, stl, 3mf, usdz or json.
    *
    * @param {string} format
    * @param {Record<string, string>} [choices]
@@ -210,18 +210,18 @@ export class RostoStudio extends HTMLElement {
     const base = this.getAttribute("base");
     if (base !== null) init(new URL(base, this.baseURI));
     await loadWords(this.#language()).catch((error) => Promise.reject(new RostoError("not-loaded", String(error))));
-    stage.furnish((tool) => this.#use(tool), signal);
+    stage.addTools((tool) => this.#use(tool), signal);
     const session = await FaceSession.open(stage.canvas, {
       progress: (step, fraction) => stage.showProgress(step, fraction),
       face: () => this.#showFace(),
       change: () => this.#change(),
-      announce: () => this.#follow(),
+      announce: () => this.#reflectState(),
       error: (thrown, owner) => this.#fail(thrown, owner),
       settled: (owner) => stage.hideNotice(owner),
     }, stage.tag);
     if (signal.aborted) {
       session.close();
-      throw new RostoError("closed", "the element was taken off the page");
+      throw new RostoError("closed", "the element was removed from the page");
     }
     this.#setUp(session, signal);
     return session;
@@ -230,14 +230,14 @@ export class RostoStudio extends HTMLElement {
   /** @param {FaceSession} session @param {AbortSignal} signal */
   #setUp(session, signal) {
     this.#session = session;
-    const [still, dark] = ["(prefers-reduced-motion: reduce)", "(prefers-color-scheme: dark)"].map((query) => matchMedia(query));
-    const suit = () => {
+    const [reducedMotion, dark] = ["(prefers-reduced-motion: reduce)", "(prefers-color-scheme: dark)"].map((query) => matchMedia(query));
+    const applyPreferences = () => {
       session.host.act((studio) => studio.setTheme(themeOf(this)));
-      session.host.act((studio) => studio.setReducedMotion(still?.matches ?? false));
+      session.host.act((studio) => studio.setReducedMotion(reducedMotion?.matches ?? false));
     };
-    for (const query of [still, dark]) query?.addEventListener("change", suit, { signal });
-    suit();
-    session.host.onRestart(async () => suit());
+    for (const query of [reducedMotion, dark]) query?.addEventListener("change", applyPreferences, { signal });
+    applyPreferences();
+    session.host.onRestart(async () => applyPreferences());
     for (const name of CHOICES) {
       const value = this.getAttribute(name);
       if (value !== null) this.#choose(session, name, value);
@@ -246,25 +246,25 @@ export class RostoStudio extends HTMLElement {
   }
 
   #close() {
-    this.#life.abort();
+    this.#teardown.abort();
     this.#session?.close();
-    [this.#session, this.#opened, this.#given] = [undefined, undefined, undefined];
+    [this.#session, this.#opened, this.#photoUrl] = [undefined, undefined, undefined];
     this.#shadow.replaceChildren();
   }
 
   #ready() {
-    return this.#opened ?? Promise.reject(new RostoError("not-ready", "the element is on no page"));
+    return this.#opened ?? Promise.reject(new RostoError("not-ready", "the element is not on a page"));
   }
 
-  #openGiven() {
+  #openFromMarkup() {
     const url = this.getAttribute("src") ?? pictureIn(this);
-    if (!url || url === this.#given) return;
-    this.#given = url;
-    // What goes wrong is told by an event.
+    if (!url || url === this.#photoUrl) return;
+    this.#photoUrl = url;
+    // Errors are dispatched as rosto-error.
     this.open(url).catch(() => {});
   }
 
-  #speak() {
+  #updateLanguage() {
     this.#opened?.then(() => speak(languageFor(this.#language()))).catch(() => {});
   }
 
@@ -311,8 +311,8 @@ export class RostoStudio extends HTMLElement {
     this.#emit("rosto-change", this.state);
   }
 
-  /** Attributes that choose say what is chosen, and tools what they can do. */
-  #follow() {
+  /** Reflects the studio's choices in the attributes, and enables the tools that apply. */
+  #reflectState() {
     const { state } = this;
     for (const name of CHOICES) {
       const chosen = state[/** @type {"shading" | "density" | "lens"} */ (name)];
@@ -327,10 +327,10 @@ export class RostoStudio extends HTMLElement {
   }
 
   /**
-   * Says what went wrong, to the page and to whoever looks at it.
+   * Shows an error in the element and dispatches it as `rosto-error`.
    *
    * @param {unknown} thrown
-   * @param {string} [owner] who shows it, and may take it away again
+   * @param {string} [owner] part of the program that may hide it
    */
   #fail(thrown, owner) {
     const error = RostoError.of(thrown);

@@ -4,13 +4,13 @@ import { facesOf } from "../js/work/work.js";
 
 /** @typedef {import("../js/worker/protocol.js").Stage} Stage */
 
-/** One worker serves all elements of a page: its networks weigh more than all else. */
+/** One worker for all elements of a page, as its networks are the largest part of Rosto. */
 const vision = new VisionClient();
 let borrowers = 0;
-/** Photos are looked at one after the other: for the worker's client a newer one would replace an older. @type {Promise<unknown>} */
+/** Queue: in {@link VisionClient}, a newer photo would cancel another element's. @type {Promise<unknown>} */
 let last = Promise.resolve();
 
-/** The worker, which is there until as many have given it back as have borrowed it. */
+/** Returns the shared worker, which is reference-counted: call {@link returnVision} when done. */
 export function borrowVision() {
   borrowers += 1;
   return vision;
@@ -22,21 +22,21 @@ export function returnVision() {
 }
 
 /**
- * The faces of a photo, the most prominent first.
+ * Finds the faces in a photo, most prominent first.
  *
  * @param {Blob} photo
  * @param {string} name
  * @param {(stage: Stage | "loading", fraction: number) => void} report
- * @param {() => boolean} isWanted when its turn has come
+ * @param {() => boolean} isWanted checked when the queue reaches the photo
  */
 export async function facesIn(photo, name, report, isWanted) {
   report("loading", 0);
-  const looked = last.then(() => {
+  const search = last.then(() => {
     if (!isWanted()) throw new Replaced();
     return vision.find(photo, undefined, report);
   });
-  last = looked.catch(() => {});
-  const found = await looked;
+  last = search.catch(() => {});
+  const found = await search;
   found.bitmap.close();
   const faces = facesOf(found, name, photo);
   if (faces.length === 0) throw noFace();

@@ -7,10 +7,10 @@ import { STYLES } from "./styles.js";
  * @typedef {"undo" | "redo" | "reset" | "download"} Tool
  */
 
-/** What the studio cannot be opened for: the element then shows the photo as it is. */
+/** Errors that prevent the 3D view; the element then shows the photo unchanged. */
 const WITHOUT_3D = /^(no-web|no-adapter|no-device|canvas-in-use)/;
 
-/** Each tool with its word and its lines. @type {Record<Tool, { word: WordKey, lines: string }>} */
+/** Label key and icon path of each tool. @type {Record<Tool, { word: WordKey, lines: string }>} */
 const TOOLS = {
   undo: { word: "undo", lines: "M7.5 4.5 4 8l3.5 3.5M4 8h7.5a4 4 0 0 1 0 8H9" },
   redo: { word: "redo", lines: "M12.5 4.5 16 8l-3.5 3.5M16 8H8.5a4 4 0 0 0 0 8H11" },
@@ -18,27 +18,27 @@ const TOOLS = {
   download: { word: "export.glb", lines: "M10 3v10m-4-4 4 4 4-4M3.5 16.5h13" },
 };
 
-/** Shared by all elements. @type {CSSStyleSheet | undefined} */
+/** Shared by all elements, created on first use. @type {CSSStyleSheet | undefined} */
 let sheet;
 
-/** What an element has in its shadow: the photo, the canvas over it, the tools, and what is said. */
+/** The shadow DOM of an element: the photo, the canvas over it, the tools, progress and notices. */
 export class Stage {
   #root = make("div", "stage");
   #progress = make("div", "progress");
-  #word = make("span");
+  #label = make("span");
   #bar = make("progress");
   #notice = make("p", "notice");
   /** @type {string | undefined} */
   #noticeOwner;
   #toolbar = make("div", "toolbar");
-  /** Where the photo comes that the page gives. */
+  /** For the page's photo. */
   slot = make("slot");
   canvas = make("canvas");
-  /** With the name of the landmark in hand. */
+  /** Name of the active landmark. */
   tag = make("output", "tag");
 
   /**
-   * Fills a shadow, in place of what was there: a canvas that was drawn on once is of no further use.
+   * Replaces the content of a shadow root: a canvas cannot be reused with another device.
    *
    * @param {ShadowRoot} shadow
    */
@@ -48,19 +48,19 @@ export class Stage {
     this.#notice.setAttribute("role", "alert");
     this.#toolbar.setAttribute("role", "toolbar");
     for (const part of [this.tag, this.#progress, this.#notice, this.#toolbar]) part.hidden = true;
-    this.#progress.append(this.#word, this.#bar);
+    this.#progress.append(this.#label, this.#bar);
     this.#root.append(this.slot, this.canvas, this.tag, this.#progress, this.#notice, this.#toolbar);
     shadow.adoptedStyleSheets = [styles()];
     shadow.replaceChildren(this.#root);
   }
 
   /**
-   * Puts a button for each tool on the stage, and says what all parts are called, in whatever language is spoken.
+   * Adds the tool buttons, and labels all parts in the current language.
    *
    * @param {(tool: Tool) => void} use
-   * @param {AbortSignal} gone
+   * @param {AbortSignal} signal for teardown
    */
-  furnish(use, gone) {
+  addTools(use, signal) {
     const tools = /** @type {[Tool, { word: WordKey, lines: string }][]} */ (Object.entries(TOOLS));
     const buttons = tools.map(([tool, { lines }]) => button(tool, lines, () => use(tool)));
     this.#toolbar.append(...buttons);
@@ -69,7 +69,7 @@ export class Stage {
       this.canvas.ariaDescription = t("element.keys");
       this.#toolbar.ariaLabel = t("toolbar.label");
       for (const [at, [, { word }]] of tools.entries()) Object.assign(buttons[at] ?? {}, { ariaLabel: t(word), title: t(word) });
-    }, gone);
+    }, signal);
   }
 
   /** Shows the canvas in place of the photo. */
@@ -80,7 +80,7 @@ export class Stage {
   }
 
   /**
-   * Shows how far a photo has come.
+   * Shows the progress of a photo.
    *
    * @param {import("../js/worker/protocol.js").Stage | "loading"} step
    * @param {number} fraction of the whole, 0 to 1
@@ -88,17 +88,17 @@ export class Stage {
   showProgress(step, fraction) {
     this.#progress.hidden = false;
     this.hideNotice();
-    this.#word.textContent = t(step === "loading" ? "progress.loading" : "progress.working");
-    this.#bar.ariaLabel = this.#word.textContent;
+    this.#label.textContent = t(step === "loading" ? "progress.loading" : "progress.working");
+    this.#bar.ariaLabel = this.#label.textContent;
     if (step === "loading") this.#bar.removeAttribute("value");
     else this.#bar.value = fraction;
   }
 
   /**
-   * Says what went wrong.
+   * Shows an error.
    *
    * @param {import("./rosto-error.js").RostoError} error
-   * @param {string} [owner] who shows it
+   * @param {string} [owner] part of the program that may hide it
    */
   showNotice({ code, message }, owner) {
     this.#noticeOwner = owner;
@@ -107,13 +107,13 @@ export class Stage {
     this.#notice.textContent = wordsFor(code) || message;
   }
 
-  /** @param {string} [owner] whose notice is over; without one, whatever shows is */
+  /** @param {string} [owner] whose notice to hide; any notice if omitted */
   hideNotice(owner) {
     if (owner === undefined || owner === this.#noticeOwner) this.#notice.hidden = true;
   }
 
   /**
-   * Shows the tools, if there is a face to use them on. Tells how much of the stage they cover from below, in CSS px.
+   * Shows the tools if a face is open. Returns the height that they cover at the bottom of the stage, in CSS px.
    *
    * @param {boolean} wanted
    */
@@ -128,7 +128,6 @@ export class Stage {
   }
 }
 
-/** One sheet for all elements. */
 function styles() {
   if (sheet) return sheet;
   sheet = new CSSStyleSheet();
@@ -137,14 +136,14 @@ function styles() {
 }
 
 /**
- * What happened and what to do next, in words. An element keeps nothing from one visit to the next.
+ * The error's title and hint. An element saves no work, so the hint for unsaved work is preferred.
  *
  * @param {string} code
  */
 function wordsFor(code) {
   const [title, hint] = [`error.${code}`, `error.${code}.hint`];
-  const unkept = `${hint}.unkept`;
-  const next = WITHOUT_3D.test(code) ? "element.no-3d" : isWord(unkept) ? unkept : hint;
+  const unsaved = `${hint}.unkept`;
+  const next = WITHOUT_3D.test(code) ? "element.no-3d" : isWord(unsaved) ? unsaved : hint;
   return [title, next].filter(isWord).map((word) => t(word)).join(". ");
 }
 
@@ -157,13 +156,13 @@ function button(tool, lines, use) {
   const made = make("button");
   made.type = "button";
   made.dataset["tool"] = tool;
-  made.append(drawn(lines));
+  made.append(icon(lines));
   made.addEventListener("click", use);
   return made;
 }
 
 /** @param {string} lines */
-function drawn(lines) {
+function icon(lines) {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   svg.setAttribute("viewBox", "0 0 20 20");
   svg.setAttribute("aria-hidden", "true");

@@ -1,22 +1,22 @@
 /**
- * How an element stands.
+ * The state of an element.
  *
  * @typedef {object} StudioSnapshot
- * @property {boolean} ready whether it can show a face
- * @property {number} faces in the photo; 0 before one is shown
- * @property {number} vertices of the mesh that is shown
- * @property {number} edits in its history
+ * @property {boolean} ready to show a face
+ * @property {number} faces in the photo; 0 before a face is shown
+ * @property {number} vertices of the displayed mesh
+ * @property {number} edits in the history
  * @property {boolean} canUndo
  * @property {boolean} canRedo
- * @property {number | undefined} selected the landmark or vertex in hand
+ * @property {number | undefined} selected landmark or vertex
  * @property {string | undefined} shading
  * @property {string | undefined} density
  * @property {string | undefined} lens
- * @property {Record<string, number>} sliders_mm where each ready-made slider stands
+ * @property {Record<string, number>} sliders_mm value of each slider
  */
 
 /** @type {StudioSnapshot} */
-const NOTHING = {
+const CLOSED = {
   ...{ ready: false, faces: 0, vertices: 0, edits: 0, canUndo: false, canRedo: false, selected: undefined },
   ...{ shading: undefined, density: undefined, lens: undefined, sliders_mm: {} },
 };
@@ -32,7 +32,7 @@ export function stateOf(session) {
     ...{ shading: now.chosen("shading"), density: now.chosen("density"), lens: now.chosen("lens") },
     sliders_mm: session.face ? slidersOf(studio) : {},
   }));
-  return state ?? NOTHING;
+  return state ?? CLOSED;
 }
 
 /** @param {import("../js/viewport/host.js").Studio} studio */
@@ -49,7 +49,7 @@ function slidersOf(studio) {
 }
 
 /**
- * Light or dark, as the page has it where the element stands.
+ * The colour scheme that the element inherits from the page.
  *
  * @param {HTMLElement} element
  */

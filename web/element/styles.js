@@ -1,4 +1,4 @@
-/** How the element looks. A page may give it another size, and the colours below as custom properties. */
+/** Style sheet of the element. A page can override its size, and its colours by the custom properties below. */
 export const STYLES = `
 :host {
   --text: var(--rosto-text, light-dark(#26241f, #ece9e3));

@@ -1,11 +1,11 @@
-/** Where the files lie that are fetched while the modules run. @type {URL | undefined} */
+/** Base URL of the files loaded at run time. @type {URL | undefined} */
 let base;
 
 /**
- * Says under which address the folders `wasm`, `assets` and `words` lie. Without it they are looked for beside these modules'
- * own folder. To be called before anything else is; what was fetched by then stays.
+ * Sets the base URL of the folders `wasm`, `assets` and `words`. By default, they are siblings of this module's folder. Call
+ * it before any other function; files already loaded stay in use.
  *
- * @param {string | URL} url of the folder, with or without a slash at its end
+ * @param {string | URL} url of the folder, with or without a trailing slash
  */
 export function init(url) {
   const folder = new URL(url, location.href);
@@ -13,17 +13,17 @@ export function init(url) {
   base = folder;
 }
 
-/** What {@link init} was told, for a worker that is to know it too. */
+/** The base URL set by {@link init}, to be passed to a worker. */
 export function filesBase() {
   return base?.href;
 }
 
 /**
- * Where a file lies.
+ * URL of a file.
  *
  * @param {string} name such as "words/en.json"
- * @param {URL} usual beside these modules; whoever asks writes it out as bundlers look for it
+ * @param {URL} fallback relative to the module; a literal `new URL(…, import.meta.url)` at the call, for bundlers
  */
-export function placeOf(name, usual) {
-  return base ? new URL(name, base) : usual;
+export function fileUrl(name, fallback) {
+  return base ? new URL(name, base) : fallback;
 }

@@ -1,16 +1,16 @@
 import { byId } from "./page/dom.js";
-import { freshen } from "./page/fresh.js";
-import { giveHints } from "./page/hint.js";
+import { resetPanel } from "./page/reset-panel.js";
+import { showHints } from "./page/hint.js";
 import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.js";
 import { hideProgress } from "./page/progress.js";
 import { nextTask } from "./page/tasks.js";
-import { openPicture, openPictures, takeFace } from "./photo/open-picture.js";
+import { openFace, openPicture, openPictures } from "./photo/open-picture.js";
 import { readPhoto } from "./photo/read-photo.js";
 import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
 import { stemOf } from "./work/file-name.js";
-import { fromVisit, fromWork, shownBefore, recentFaces } from "./work/incoming.js";
-import { faceOf, factsOf, foundIn, photosOf, placeOf } from "./work/photos.js";
+import { fromVisit, fromWork, recentFaces, shownBefore } from "./work/incoming.js";
+import { detectionOf, faceFromPhotos, indexOfPhoto, photoFacts, photosOf } from "./work/photos.js";
 import { bitmapOf } from "./work/pixels.js";
 import { kindOf, readSavedFile } from "./work/saved-file.js";
 
@@ -18,11 +18,11 @@ import { kindOf, readSavedFile } from "./work/saved-file.js";
  * @typedef {import("./viewport/host.js").Host} Host
  * @typedef {import("./work/work.js").Work} Work
  * @typedef {import("./work/work.js").OpenedFace} OpenedFace
- * @typedef {import("./work/incoming.js").Shown} Shown
+ * @typedef {import("./work/incoming.js").ShownFace} ShownFace
  * @typedef {import("./work/incoming.js").Incoming} Incoming
  *
- * @typedef {object} Room where a face is shown
- * @property {Promise<Host | undefined>} host nothing where the browser cannot draw in 3D
+ * @typedef {object} Context
+ * @property {Promise<Host | undefined>} host undefined if the browser cannot draw in 3D
  * @property {import("./photo/photo-overlay.js").PhotoOverlay} overlay
  * @property {import("./photo/face-choice.js").FaceChoice} faceChoice
  * @property {import("./photo/vision-client.js").VisionClient} vision
@@ -31,93 +31,92 @@ import { kindOf, readSavedFile } from "./work/saved-file.js";
  */
 
 /**
- * The one way in for photos, files, the camera, the sample and restored work. The newest wins, and whatever was on its way
- * before ends without a trace. Nothing is replaced before all of it has been read and checked: a failure leaves the work
- * and what is kept of it as they were.
+ * Single entry point for photos, files, the camera, the sample and restored work. A newer request cancels the pending one.
+ * A face replaces the current one only after it was read and checked, so a failure leaves the current and the saved work
+ * unchanged.
  */
 export class Opening {
   #newest = 0;
-  /** One face is brought in after the other: each takes several tasks. @type {Promise<unknown>} */
-  #last = Promise.resolve();
-  #room;
-  /** @type {Shown | undefined} */
-  #now;
-  /** What was shown before, the latest first, which can be gone back to. @type {Shown[]} */
-  #before = [];
+  /** Queue: a change takes several tasks, and changes must not interleave. @type {Promise<unknown>} */
+  #queue = Promise.resolve();
+  #context;
+  /** @type {ShownFace | undefined} */
+  #current;
+  /** Faces shown before, latest first. @type {ShownFace[]} */
+  #earlier = [];
 
-  /** @param {Room} room */
-  constructor(room) {
-    this.#room = room;
+  /** @param {Context} context */
+  constructor(context) {
+    this.#context = context;
   }
 
-  /** Lens data of the photo on the screen. */
+  /** Lens detected in the current photo. */
   get lens() {
-    return this.#now?.face.lens;
+    return this.#current?.face.lens;
   }
 
-  /** The face on the screen. */
   get face() {
-    return this.#now?.face;
+    return this.#current?.face;
   }
 
   /**
-   * A photo, or a project or GLB that was saved before.
+   * Opens a photo, project or GLB.
    *
    * @param {Blob | Promise<Blob>} file
-   * @param {string} [name] instead of the file's own
+   * @param {string} [name] overrides the file's name
    */
   openFile(file, name) {
     return this.#open(async (isWanted) => {
       const blob = await file;
-      // The page's own module, which reads saved files, may still be on its way.
-      const host = await this.#room.host;
+      // Saved files are read by the page's module, which may still be loading.
+      const host = await this.#context.host;
       const kind = host ? await kindOf(blob) : "other";
       if (!isWanted()) throw new Replaced();
-      if (kind === "other") return readPhoto(this.#room.vision, blob, name ?? stemOf(blob), isWanted);
+      if (kind === "other") return readPhoto(this.#context.vision, blob, name ?? stemOf(blob), isWanted);
       return fromWork(await readSavedFile(blob, kind));
     });
   }
 
   /**
-   * A frame of the mirror, with what was done to the face in it.
+   * Opens a frame of the live preview, with the edits shown in it.
    *
    * @param {Blob} photo
-   * @param {import("./work/work.js").Done} [done]
+   * @param {import("./work/work.js").EditState} [edits]
    */
-  openFrame(photo, done) {
+  openFrame(photo, edits) {
     return this.#open(async (isWanted) => {
-      const incoming = await readPhoto(this.#room.vision, photo, "selfie", isWanted);
-      return done ? { ...incoming, done } : incoming;
+      const incoming = await readPhoto(this.#context.vision, photo, "selfie", isWanted);
+      return edits ? { ...incoming, edits } : incoming;
     });
   }
 
   /**
-   * Another face of the photo that is open. One of a photo that is open no more is not opened.
+   * Opens another face of the current photo; ignored if `face` is from another photo.
    *
    * @param {OpenedFace} face
    */
   openFace(face) {
-    const { faces = [] } = this.#now ?? {};
-    return this.#open(() => this.#again(faces.includes(face) ? { face, faces } : undefined));
+    const { faces = [] } = this.#current ?? {};
+    return this.#open(() => this.#reopen(faces.includes(face) ? { face, faces } : undefined));
   }
 
   /**
-   * A face that was shown before this one.
+   * Returns to a face shown earlier.
    *
    * @param {OpenedFace} face
    */
   goBackTo(face) {
-    return this.#open(() => this.#again(this.#before.find((shown) => shown.face === face)));
+    return this.#open(() => this.#reopen(this.#earlier.find((shown) => shown.face === face)));
   }
 
   /**
-   * Further photos of the face that is open. Those that cannot be added are named, and the others are added.
+   * Adds further photos of the open face. Reports each photo that cannot be added.
    *
    * @param {File[]} files
    */
   addPhotos(files) {
-    return this.#attend(async (isWanted) => {
-      const host = await this.#room.host;
+    return this.#run(async (isWanted) => {
+      const host = await this.#context.host;
       for (const file of files) {
         if (!host || !isWanted()) return;
         await this.#addPhoto(host, file, isWanted).catch((error) => {
@@ -129,37 +128,37 @@ export class Opening {
   }
 
   /**
-   * Takes one of the photos away from the face that is open. Where it is by then is looked up when its turn has come: one that
-   * is gone already is not taken away twice.
+   * Removes a photo from the open face. Its index is looked up when the queue reaches it, as earlier changes may move or
+   * remove it.
    *
    * @param {OpenedFace} photo
    */
   removePhoto(photo) {
-    return this.#attend(async () => {
-      const host = await this.#room.host;
+    return this.#run(async () => {
+      const host = await this.#context.host;
       if (!host) return;
-      await this.#inTurn(async () => {
-        const place = placeOf(this.#now?.face, photo);
-        if (place === undefined) return;
-        await this.#changePhotos(host, (studio) => studio.removePhoto(place), (photos) => photos.toSpliced(place, 1));
+      await this.#enqueue(async () => {
+        const index = indexOfPhoto(this.#current?.face, photo);
+        if (index === undefined) return;
+        await this.#changePhotos(host, (studio) => studio.removePhoto(index), (photos) => photos.toSpliced(index, 1));
       });
     });
   }
 
   /**
-   * Brings a photo back that was taken away from the face that is open.
+   * Restores a photo removed from the open face.
    *
    * @param {OpenedFace} photo
    */
   restorePhoto(photo) {
-    return this.#attend(async (isWanted) => {
-      const host = await this.#room.host;
-      if (host) await this.#inTurn(() => this.#seeIn(host, photo, isWanted));
+    return this.#run(async (isWanted) => {
+      const host = await this.#context.host;
+      if (host) await this.#enqueue(() => this.#addDetected(host, photo, isWanted));
     });
   }
 
   /**
-   * Work that was kept.
+   * Opens saved work.
    *
    * @param {() => Promise<Work>} read
    */
@@ -168,33 +167,33 @@ export class Opening {
   }
 
   /**
-   * Brings work back to a studio that has lost it.
+   * Restores the work after the studio has crashed.
    *
    * @param {Work} work
    */
   async restore(work) {
     const ticket = ++this.#newest;
-    const { faces = [work.face] } = this.#now ?? {};
+    const { faces = [work.face] } = this.#current ?? {};
     const incoming = { ...(await fromWork(work)), faces };
-    await this.#inTurn(() => this.#bringIn(incoming, () => ticket === this.#newest));
+    await this.#enqueue(() => this.#install(incoming, () => ticket === this.#newest));
   }
 
   /** @param {(isWanted: () => boolean) => Promise<Incoming>} read */
   #open(read) {
-    return this.#attend(async (isWanted) => {
+    return this.#run(async (isWanted) => {
       const incoming = await read(isWanted);
-      const isOpen = isWanted() && (await this.#inTurn(() => this.#bringIn(incoming, isWanted)));
-      if (isOpen) this.#welcome(incoming);
+      const isOpen = isWanted() && (await this.#enqueue(() => this.#install(incoming, isWanted)));
+      if (isOpen) this.#onOpened(incoming);
       incoming.bitmap.close();
     });
   }
 
   /**
-   * Does what is wanted now, in place of what was on its way.
+   * Runs a request, cancels the pending one and reports errors.
    *
-   * @param {(isWanted: () => boolean) => Promise<void>} act
+   * @param {(isWanted: () => boolean) => Promise<void>} act `isWanted` returns false once a newer request has begun
    */
-  async #attend(act) {
+  async #run(act) {
     const ticket = ++this.#newest;
     const isWanted = () => ticket === this.#newest;
     dismissNotices();
@@ -202,11 +201,11 @@ export class Opening {
     try {
       await act(isWanted);
     } catch (error) {
-      if (isTrap(error)) (await this.#room.host)?.fail(error);
+      if (isTrap(error)) (await this.#context.host)?.fail(error);
       else if (isWanted() && !(error instanceof Replaced)) showError(error);
     } finally {
       if (isWanted()) hideProgress();
-      this.#room.faceChoice.mark(this.#now?.face);
+      this.#context.faceChoice.mark(this.#current?.face);
     }
   }
 
@@ -216,132 +215,134 @@ export class Opening {
    * @param {() => boolean} isWanted
    */
   async #addPhoto(host, file, isWanted) {
-    const most = host.ask((studio) => studio.mostPhotos) ?? 1;
-    if (this.#now && photosOf(this.#now.face).length >= most) throw { code: "too-many-photos", message: `${most} photos`, hint: "" };
+    const max = host.ask((studio) => studio.mostPhotos) ?? 1;
+    if (this.#current && photosOf(this.#current.face).length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
     if ((await kindOf(file)) !== "other") throw { code: "not-a-picture", message: "a saved face", hint: "" };
-    const { face: photo, bitmap } = await readPhoto(this.#room.vision, file, stemOf(file), isWanted);
+    const { face: photo, bitmap } = await readPhoto(this.#context.vision, file, stemOf(file), isWanted);
     bitmap.close();
-    await this.#inTurn(async () => {
-      if (!(await this.#seeIn(host, photo, isWanted))) return;
-      const adds = host.ask((studio) => factsOf(studio).at(-1)?.adds);
+    await this.#enqueue(async () => {
+      if (!(await this.#addDetected(host, photo, isWanted))) return;
+      const adds = host.ask((studio) => photoFacts(studio).at(-1)?.adds);
       if (adds === false) showRemark("adds-little", { name: file.name });
     });
   }
 
   /**
-   * The open face in one more photo, unless it is in it already. Resolves to whether it is new.
+   * Adds a photo whose landmarks are known. Resolves to false if the face already has it, or the request was cancelled.
    *
    * @param {Host} host
    * @param {OpenedFace} photo
    * @param {() => boolean} isWanted
    */
-  async #seeIn(host, photo, isWanted) {
-    if (placeOf(this.#now?.face, photo) !== undefined || !(await openPicture(host, photo, isWanted))) return false;
-    const found = foundIn(photo);
-    await this.#changePhotos(host, (studio) => studio.addPhoto(...found), (photos) => [...photos, photo]);
+  async #addDetected(host, photo, isWanted) {
+    if (indexOfPhoto(this.#current?.face, photo) !== undefined || !(await openPicture(host, photo, isWanted))) return false;
+    const detection = detectionOf(photo);
+    await this.#changePhotos(host, (studio) => studio.addPhoto(...detection), (photos) => [...photos, photo]);
     return true;
   }
 
   /**
-   * The open face in other photos: in the studio, in what is kept, and in what is shown of it.
+   * Changes the photos of the open face in the studio, the saved work and the display.
    *
    * @param {Host} host
    * @param {(studio: import("../wasm/rosto-studio-web.js").Studio) => import("../wasm/rosto-studio-web.js").ChangeName} act
    * @param {(photos: OpenedFace[]) => OpenedFace[]} change
    */
   async #changePhotos(host, act, change) {
-    const { overlay, autosave, faceChoice } = this.#room;
-    const before = this.#now;
+    const { overlay, autosave, faceChoice } = this.#context;
+    const before = this.#current;
     if (!before) return;
-    const { face: was, faces } = before;
+    const { face: previous, faces } = before;
     const lens = host.ask((studio) => studio.photoLens);
     host.attempt(act);
-    const place = host.ask((studio) => factsOf(studio).findIndex(({ leads }) => leads)) ?? 0;
-    // The one that led is taken to be taken as it was said.
-    const asSaid = photosOf(was).map((photo, at) => (at === (was.place ?? 0) && lens !== undefined ? { ...photo, lens } : photo));
-    const isSameLead = change(photosOf(was))[place]?.landmarks === was.landmarks;
-    const face = faceOf(change(isSameLead ? photosOf(was) : asSaid), place, was.name);
-    autosave.change(face);
-    this.#now = { face, faces: isSameLead ? faces.map((one) => (one === was ? face : one)) : [face] };
-    // Only now is known of which photos its texture is made.
+    const place = host.ask((studio) => photoFacts(studio).findIndex(({ leads }) => leads)) ?? 0;
+    // When another photo becomes the leading one, the previous one keeps the lens that the user set.
+    const withLens = photosOf(previous).map((photo, at) => (at === (previous.place ?? 0) && lens !== undefined ? { ...photo, lens } : photo));
+    const isSamePrimary = change(photosOf(previous))[place]?.landmarks === previous.landmarks;
+    const face = faceFromPhotos(change(isSamePrimary ? photosOf(previous) : withLens), place, previous.name);
+    autosave.replaceFace(face);
+    this.#current = { face, faces: isSamePrimary ? faces.map((other) => (other === previous ? face : other)) : [face] };
+    // Listeners read the photos of the texture, which have just changed.
     host.announce();
     await nextTask();
-    const { faces: shown } = this.#now;
+    const { faces: shown } = this.#current;
     try {
       const bitmap = await bitmapOf(face);
       overlay.show(await overlay.prepare(face, bitmap));
-      await faceChoice.show(shown, recentFaces(this.#before, shown), bitmap);
+      await faceChoice.show(shown, recentFaces(this.#earlier, shown), bitmap);
       bitmap.close();
     } catch (error) {
-      // The face is another one already: only what is seen of its photo is not.
+      // The face itself has changed; only the display of its photo failed.
       showError({ code: "photo-not-shown", message: String(error), hint: "" });
     }
   }
 
   /**
-   * @param {Shown | undefined} shown in this visit
+   * @param {ShownFace | undefined} shown earlier in this visit
    * @returns {Promise<Incoming>}
    */
-  async #again(shown) {
-    if (!shown || shown.face === this.#now?.face) throw new Replaced();
-    return fromVisit(shown, this.#room.autosave.doneTo(shown.face));
+  async #reopen(shown) {
+    if (!shown || shown.face === this.#current?.face) throw new Replaced();
+    return fromVisit(shown, this.#context.autosave.lastEditsOf(shown.face));
   }
 
   /**
+   * Runs `act` after the changes queued before it.
+   *
    * @template T
    * @param {() => Promise<T>} act
    * @returns {Promise<T>}
    */
-  #inTurn(act) {
-    const done = this.#last.then(act);
-    this.#last = done.catch(() => {});
+  #enqueue(act) {
+    const done = this.#queue.then(act);
+    this.#queue = done.catch(() => {});
     return done;
   }
 
   /**
-   * Hands a face to the studio, which takes it whole or not at all, last of all that can fail. The photo on the panel, its
-   * pixels and the face each have a task of their own, so that none keeps the page waiting.
+   * Opens a face in the studio, atomically and as the last step that can fail. The pixels, the face and the photo panel are
+   * updated in separate tasks to keep the page responsive.
    *
    * @param {Incoming} incoming
    * @param {() => boolean} isWanted
    */
-  async #bringIn({ face, faces, bitmap, done }, isWanted) {
-    const { host, overlay, autosave } = this.#room;
+  async #install({ face, faces, bitmap, edits }, isWanted) {
+    const { host, overlay, autosave } = this.#context;
     const opened = await host;
-    const photos = photosOf({ ...face, lens: done?.lens ?? face.lens });
+    const photos = photosOf({ ...face, lens: edits?.lens ?? face.lens });
     if (opened && !(await openPictures(opened, photos, isWanted))) return false;
     const prepared = await overlay.prepare(face, bitmap);
     if (!isWanted()) {
       prepared.part.close();
       return false;
     }
-    // An edit in progress is one, too.
+    // Save an edit in progress too.
     opened?.act((studio) => studio.commit());
-    autosave.finish();
-    if (opened) takeFace(opened, photos, done);
-    if (opened) autosave.take(face);
-    this.#before = shownBefore([this.#now, ...this.#before], face);
-    this.#now = { face, faces };
+    autosave.flush();
+    if (opened) openFace(opened, photos, edits);
+    if (opened) autosave.start(face);
+    this.#earlier = shownBefore([this.#current, ...this.#earlier], face);
+    this.#current = { face, faces };
     await nextTask();
     overlay.show(prepared);
     return true;
   }
 
-  /** @param {Incoming} incoming that is open now */
-  #welcome({ faces, bitmap, extraction_ms, changedElsewhere, isDoubtful, ofThisVisit = false }) {
-    const { host, opened, faceChoice } = this.#room;
+  /** @param {Incoming} incoming */
+  #onOpened({ faces, bitmap, extraction_ms, changedElsewhere, isDoubtful, ofThisVisit = false }) {
+    const { host, opened, faceChoice } = this.#context;
     document.body.dataset["state"] = document.body.dataset["host"] === "open" ? "face" : "photo";
     byId("welcome", HTMLElement).hidden = true;
     byId("toolbar", HTMLDivElement).hidden = document.body.dataset["host"] !== "open";
-    // The tools take the place of the photo, which folds to a row; without a view in 3D it is all there is to see.
+    // Collapse the photo to make room for the tools; without a 3D view, keep it open.
     byId("section-photo", HTMLDetailsElement).open = document.body.dataset["state"] === "photo";
-    faceChoice.show(faces, recentFaces(this.#before, faces), bitmap).catch((error) => console.warn("the faces are not shown:", error));
-    freshen(ofThisVisit);
-    // What was being typed no longer stands in the way of what is to be shown.
+    faceChoice.show(faces, recentFaces(this.#earlier, faces), bitmap).catch((error) => console.warn("cannot show the recent faces:", error));
+    resetPanel(ofThisVisit);
+    // Fields that were being typed in can be updated again.
     host.then((there) => there?.announce());
     opened(extraction_ms);
     if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
     else if (isDoubtful) showRemark("may-not-be-a-face", {});
-    else if (document.body.dataset["host"] === "open") giveHints();
+    else if (document.body.dataset["host"] === "open") showHints();
   }
 }

@@ -1,7 +1,7 @@
 import { byId } from "../page/dom.js";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";
 import { chosen, fileChoices } from "./file-choices.js";
-import { withFileChoices } from "../work/written-file.js";
+import { withFileChoices } from "../work/exported-file.js";
 import { formatBytes } from "./verdict-line.js";
 
 /** @typedef {import("../viewport/host.js").Host} Host */

@@ -9,7 +9,7 @@ import { studioModule } from "../viewport/studio-module.js";
 import { onLocaleChange, isWord, t } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { pngOf } from "../work/pixels.js";
-import { withFileChoices, writtenFile } from "../work/written-file.js";
+import { withFileChoices, exportedFile } from "../work/exported-file.js";
 import { ExportFacts } from "./export-facts.js";
 import { fileChoices, isChecked, printChoices } from "./file-choices.js";
 import { PrintPanel } from "./print-panel.js";
@@ -37,7 +37,7 @@ export function setUpExportPanel(host, autosave, validator, texture) {
   const makeFile = async (/** @type {string} */ format) => {
     const { extension, type } = fileType(host, format);
     const chosen = printed.includes(format) ? printChoices() : fileChoices();
-    const bytes = await writtenFile(host, texture, format, chosen);
+    const bytes = await exportedFile(host, texture, format, chosen);
     return new File([/** @type {BlobPart} */ (bytes)], meshName(host, autosave, extension), { type });
   };
   const saveAs = (/** @type {string} */ format) => makeFile(format).then(saveFile);

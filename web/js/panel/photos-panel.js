@@ -2,13 +2,13 @@ import { byId, make, makeIcon } from "../page/dom.js";
 import { toast } from "../page/toast.js";
 import { faceBox } from "../photo/face-box.js";
 import { onLocaleChange, t } from "../words/words.js";
-import { factsOf, photosOf, placeOf } from "../work/photos.js";
+import { photoFacts, photosOf, indexOfPhoto } from "../work/photos.js";
 import { imageDataOf } from "../work/pixels.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
- * @typedef {ReturnType<typeof factsOf>[number]} Facts
+ * @typedef {ReturnType<typeof photoFacts>[number]} Facts
  *
  * @typedef {object} Photos
  * @property {OpenedFace | undefined} face open face
@@ -74,7 +74,7 @@ export class PhotosPanel {
   async #remove(photo) {
     await this.#change((opening) => opening.removePhoto(photo));
     const { face } = this.#opening();
-    if (!face || placeOf(face, photo) !== undefined) return;
+    if (!face || indexOfPhoto(face, photo) !== undefined) return;
     this.#removed = { photo, face };
     this.#show();
   }
@@ -91,7 +91,7 @@ export class PhotosPanel {
 
   #show() {
     const { face } = this.#opening();
-    const facts = this.#host.ask(factsOf) ?? [];
+    const facts = this.#host.ask(photoFacts) ?? [];
     const photos = face ? photosOf(face) : [];
     this.#missingLine.textContent = (this.#host.ask((studio) => studio.missingTurns()) ?? []).map(missingText).join(" ");
     this.#missingLine.hidden = this.#list.hidden = facts.length < 2;

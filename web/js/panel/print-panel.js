@@ -3,7 +3,7 @@ import { asPageError } from "../page/page-error.js";
 import { isTrap, studioModule } from "../viewport/studio-module.js";
 import { idName } from "../words/names.js";
 import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
-import { withFileChoices } from "../work/written-file.js";
+import { withFileChoices } from "../work/exported-file.js";
 import { chosen, hasLength, printChoices } from "./file-choices.js";
 
 /**

@@ -1,5 +1,5 @@
 import { nextTask } from "../page/tasks.js";
-import { foundIn } from "../work/photos.js";
+import { detectionOf } from "../work/photos.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
@@ -8,17 +8,16 @@ import { foundIn } from "../work/photos.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").ChangeName} ChangeName
  */
 
-/** So many pixels are taken in one task: few enough that none keeps the page from answering. */
+/** Pixels copied per task: few enough to keep the page responsive. */
 const STRIP_PX = 2 ** 18;
 
 /**
- * Gives the studio the picture of a face, some rows at a time, for as long as it is wanted. Resolves to whether it was to
- * the end.
+ * Copies a picture into the studio, in strips. Resolves to false if it was cancelled.
  *
  * @param {Host} host
  * @param {OpenedFace} face
  * @param {() => boolean} isWanted
- * @param {number} [place] of the photo among those of the face to be opened
+ * @param {number} [place] index among the photos of the face
  */
 export async function openPicture(host, { picture, pictureWidth_px: width, pictureHeight_px: height }, isWanted, place = 0) {
   host.attempt((studio) => studio.openPicture(width, height, place));
@@ -27,7 +26,7 @@ export async function openPicture(host, { picture, pictureWidth_px: width, pictu
 }
 
 /**
- * Gives the studio pixels, some rows in each task, for as long as they are wanted.
+ * Copies pixels into the studio, one strip per task, until `isWanted` returns false.
  *
  * @param {Host} host
  * @param {Uint8Array} pixels RGBA, row by row
@@ -44,7 +43,7 @@ export async function inStrips(host, pixels, width, add, isWanted) {
 }
 
 /**
- * Gives the studio the pictures of a face's photos, and what was found in all but the last.
+ * Copies the pictures of all photos into the studio, and the detections of all but the last, which {@link openFace} passes.
  *
  * @param {Host} host
  * @param {OpenedFace[]} photos
@@ -54,27 +53,27 @@ export async function openPictures(host, photos, isWanted) {
   for (const [place, photo] of photos.entries()) {
     if (!(await openPicture(host, photo, isWanted, place))) return false;
     if (place === photos.length - 1) return true;
-    host.attempt((studio) => studio.keepPhoto(...foundIn(photo)));
+    host.attempt((studio) => studio.keepPhoto(...detectionOf(photo)));
   }
   return true;
 }
 
 /**
- * Has the studio take a face whose pictures it was given: whole or not at all.
+ * Opens a face, atomically, after {@link openPictures}.
  *
  * @param {Host} host
  * @param {OpenedFace[]} photos of the face
- * @param {import("../work/work.js").Done} [done] to it before
+ * @param {import("../work/work.js").EditState} [state] to restore
  */
-export function takeFace(host, photos, done) {
+export function openFace(host, photos, state) {
   const last = photos.at(-1);
-  if (!last) throw new Error("a face without a photo");
+  if (!last) throw new Error("face without a photo");
   host.attempt((studio) => {
-    const found = foundIn(last);
-    if (!done) return studio.openFace(...found);
-    const { triangulation, density, edits, photo } = done;
-    return studio.openWork(...found, triangulation, density, edits, photo);
+    const detection = detectionOf(last);
+    if (!state) return studio.openFace(...detection);
+    const { triangulation, density, edits, photo } = state;
+    return studio.openWork(...detection, triangulation, density, edits, photo);
   });
-  const { preferences } = done ?? {};
+  const { preferences } = state ?? {};
   if (preferences) host.act((studio) => studio.prefer(preferences));
 }

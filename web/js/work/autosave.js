@@ -1,47 +1,46 @@
 import { byId } from "../page/dom.js";
 import { asPageError } from "../page/page-error.js";
-import { setKeeping, showError, showRemark } from "../page/notice.js";
-import { KeptFace } from "./kept-face.js";
-import { ownSlot, rememberSlot } from "./own-slot.js";
+import { setSavesWork, showError, showRemark } from "../page/notice.js";
+import { editStateOf } from "./edit-state.js";
 import { allSlots, prune } from "./slots.js";
-import { standing } from "./standing.js";
-import { Late } from "./within.js";
+import { StoredFace } from "./stored-face.js";
+import { rememberTabSlot, tabSlot } from "./tab-slot.js";
+import { TimeoutError } from "./timeout.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
- * @typedef {import("./work.js").Done} Done
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  * @typedef {import("../viewport/host.js").Host} Host
  */
 
-/** What is done is kept this long after the last change. */
-const PAUSE_MS = 200;
+/** Debounce delay after the last change. */
+const SAVE_DELAY_MS = 200;
 
 /**
- * Keeps the work in this browser, so that a reload or a crash loses nothing, and offers it on the next visit. Each face that
- * was opened has a slot of its own, which is this tab's for as long as the face is on the screen. What was done to a face is
- * remembered here, too, for as long as anybody has the face: it can be gone back to where the browser keeps nothing.
+ * Saves the work in this browser, so that it survives a reload or a crash, and offers it on the next visit. Each opened face
+ * has one slot, locked by this tab while the face is on the screen. The edits of earlier faces also stay in memory, so that
+ * the user can return to them without storage.
  */
 export class Autosave {
-  /** The face on the screen. @type {KeptFace | undefined} */
+  /** The face on the screen. @type {StoredFace | undefined} */
   #now;
-  /** @type {WeakMap<OpenedFace, KeptFace>} */
+  /** @type {WeakMap<OpenedFace, StoredFace>} */
   #visited = new WeakMap();
   /** @type {Host | undefined} */
   #host;
-  #pause = 0;
-  #hasComplained = false;
-  /** Whether the studio has lost the work, which is not back yet: what the studio holds is not to be kept, then. */
-  #isLost = false;
-  /** What was read to be opened again. @type {KeptFace | undefined} */
+  #timer = 0;
+  #hasReported = false;
+  /** Set after a crash until the work is restored: the studio's state must not be saved meanwhile. */
+  #isSuspended = false;
+  /** Read from the database, about to be opened. @type {StoredFace | undefined} */
   #reopened;
-  /** What was read, and was not opened. @type {Set<string>} */
-  #refused = new Set();
+  /** Slots that were read but could not be opened. @type {Set<string>} */
+  #rejected = new Set();
 
   constructor() {
-    addEventListener("pagehide", () => this.#leave());
+    addEventListener("pagehide", () => this.#onPageHide());
     addEventListener("pageshow", ({ persisted }) => {
-      if (persisted) this.#comeBack();
+      if (persisted) this.#onPageRestored();
     });
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") this.#saveDraft();
@@ -54,41 +53,41 @@ export class Autosave {
   }
 
   /**
-   * What was done to a face when it was last on the screen in this visit; nothing if it never was.
+   * The edits of a face opened earlier in this visit.
    *
    * @param {OpenedFace} face
    */
-  doneTo(face) {
-    return this.#visited.get(face)?.done;
+  lastEditsOf(face) {
+    return this.#visited.get(face)?.edits;
   }
 
   /**
-   * Offers the work of the last visit: this tab's own or, in a new one, the latest that no tab has open.
+   * Offers the work of the last visit: this tab's before a reload, or the latest that no tab has open.
    *
    * @param {(read: () => Promise<Work>) => void} open
    */
   async offer(open) {
-    const [offered] = await this.#freeSlots(ownSlot()).catch(() => []);
+    const [offered] = await this.#freeSlots(tabSlot()).catch(() => []);
     if (offered === undefined || this.#now) return;
     const button = byId("continue", HTMLButtonElement);
     button.addEventListener("click", () => open(() => this.#reopen(offered)));
     button.hidden = false;
-    // One button is the first choice, and for who returns it is this one.
+    // Make this the only primary button.
     for (const other of document.querySelectorAll("#welcome .primary")) other.classList.toggle("primary", other === button);
   }
 
   /**
-   * The work as it was last kept, which the studio has lost.
+   * Suspends saving after the studio has crashed.
    *
-   * @returns {Work | undefined}
+   * @returns {Work | undefined} the last saved work, to be restored
    */
-  lose() {
-    this.#isLost = true;
-    clearTimeout(this.#pause);
-    return this.#now?.done && { face: this.#now.face, ...this.#now.done };
+  suspend() {
+    this.#isSuspended = true;
+    clearTimeout(this.#timer);
+    return this.#now?.edits && { face: this.#now.face, ...this.#now.edits };
   }
 
-  /** @param {Host} host */
+  /** Saves after each change from now on. @param {Host} host */
   follow(host) {
     this.#host = host;
     host.onChange(() => {
@@ -96,36 +95,36 @@ export class Autosave {
     });
   }
 
-  /** Keeps what was done last, before the studio is given another face. */
-  finish() {
+  /** Saves pending changes, before another face is opened. */
+  flush() {
     this.#save();
   }
 
   /**
-   * Takes charge of a face that has just been opened, in a slot of its own: the one it had if it is gone back to.
+   * Starts saving a face that was just opened, to its earlier slot if it has one.
    *
    * @param {OpenedFace} face
    */
-  take(face) {
+  start(face) {
     const [before, reopened] = [this.#now, this.#reopened];
-    const now = this.#visited.get(face) ?? (reopened?.face === face ? reopened : new KeptFace(face));
-    for (const other of [before, reopened]) if (other !== now) other?.letGo();
-    now.hold();
-    [this.#isLost, this.#reopened, this.#now] = [false, undefined, now];
+    const now = this.#visited.get(face) ?? (reopened?.face === face ? reopened : new StoredFace(face));
+    for (const other of [before, reopened]) if (other !== now) other?.unlock();
+    now.lock();
+    [this.#isSuspended, this.#reopened, this.#now] = [false, undefined, now];
     this.#visited.set(face, now);
-    this.#refused.delete(now.slot);
-    rememberSlot(now.slot);
-    now.done = standing(this.#host);
-    // Not in the task that brings the face to the screen.
+    this.#rejected.delete(now.slot);
+    rememberTabSlot(now.slot);
+    now.edits = editStateOf(this.#host);
+    // Deferred: the current task brings the face to the screen.
     this.#saveSoon();
   }
 
   /**
-   * The face on the screen is seen in other photos from now on: its slot is to hold those.
+   * Replaces the current face after its photos have changed. The slot stays the same.
    *
    * @param {OpenedFace} face
    */
-  change(face) {
+  replaceFace(face) {
     if (!this.#now) return;
     this.#visited.delete(this.#now.face);
     this.#visited.set(face, this.#now);
@@ -134,32 +133,32 @@ export class Autosave {
   }
 
   /**
-   * The slots that no tab has open, in the order in which they are offered: the first one, the latest, those that were refused.
+   * The slots that no tab has open: the preferred one, then the latest, then those rejected before.
    *
-   * @param {string | null} first
+   * @param {string | null} preferred
    */
-  async #freeSlots(first) {
-    const slots = (await allSlots()).filter(({ isWhole, isHeld }) => isWhole && !isHeld).map(({ slot }) => slot);
-    const rank = (/** @type {string} */ slot) => (this.#refused.has(slot) ? 2 : slot === first ? 0 : 1);
-    return slots.sort((one, other) => rank(one) - rank(other));
+  async #freeSlots(preferred) {
+    const slots = (await allSlots()).filter(({ isComplete, isLocked }) => isComplete && !isLocked).map(({ slot }) => slot);
+    const rank = (/** @type {string} */ slot) => (this.#rejected.has(slot) ? 2 : slot === preferred ? 0 : 1);
+    return slots.sort((a, b) => rank(a) - rank(b));
   }
 
   /**
-   * The work that was offered or, where another tab has it by now or it cannot be read, the next.
+   * Reads the offered work. If another tab has opened it or it is corrupt, reads the next.
    *
    * @param {string} offered
    * @returns {Promise<Work>}
    */
   async #reopen(offered) {
-    this.#reopened?.letGo();
+    this.#reopened?.unlock();
     this.#reopened = undefined;
     try {
       for (const slot of await this.#freeSlots(offered)) {
-        const work = await this.#readAgain(slot);
+        const work = await this.#readSlot(slot);
         if (work && slot !== offered) showRemark("earlier-work", {});
         if (work) return work;
       }
-      const isElsewhere = (await allSlots()).some(({ slot, isHeld }) => isHeld && slot === offered);
+      const isElsewhere = (await allSlots()).some(({ slot, isLocked }) => isLocked && slot === offered);
       throw { code: isElsewhere ? "open-elsewhere" : "bad-kept-work", message: `slot ${offered}`, hint: "" };
     } catch (error) {
       throw asPageError(error, "kept-work-busy");
@@ -168,42 +167,43 @@ export class Autosave {
 
   /**
    * @param {string} slot
-   * @returns {Promise<Work | undefined>} nothing where it is another tab's, or damaged
+   * @returns {Promise<Work | undefined>} undefined if another tab holds the slot, or it is corrupt
    */
-  async #readAgain(slot) {
+  async #readSlot(slot) {
     try {
-      const reopened = await KeptFace.reopened(slot);
-      if (!reopened) return undefined;
-      this.#refused.add(slot);
-      this.#reopened = reopened.kept;
-      return reopened.work;
+      const read = await StoredFace.read(slot);
+      if (!read) return undefined;
+      // Removed again once the face is open.
+      this.#rejected.add(slot);
+      this.#reopened = read.stored;
+      return read.work;
     } catch (error) {
-      if (error instanceof Late) throw error;
+      if (error instanceof TimeoutError) throw error;
       console.warn(error);
       return undefined;
     }
   }
 
   #saveSoon() {
-    clearTimeout(this.#pause);
-    this.#pause = setTimeout(() => this.#save(), PAUSE_MS);
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#save(), SAVE_DELAY_MS);
   }
 
-  /** Keeps what is on the screen as it stands. */
   async #save() {
-    clearTimeout(this.#pause);
+    clearTimeout(this.#timer);
     const now = this.#now;
-    const done = this.#isLost ? undefined : now && standing(this.#host);
-    if (!now || !done) return;
-    if (JSON.stringify(done) !== JSON.stringify(now.done)) now.done = done;
+    const edits = this.#isSuspended ? undefined : now && editStateOf(this.#host);
+    if (!now || !edits) return;
+    // StoredFace detects changes by identity.
+    if (JSON.stringify(edits) !== JSON.stringify(now.edits)) now.edits = edits;
     try {
       const isNew = await now.save();
-      if (now === this.#now) rememberSlot(now.slot);
-      this.#hasComplained = false;
-      setKeeping(true);
+      if (now === this.#now) rememberTabSlot(now.slot);
+      this.#hasReported = false;
+      setSavesWork(true);
       if (isNew) await prune().catch(() => {});
     } catch (error) {
-      this.#complain(error);
+      this.#report(error);
     }
   }
 
@@ -212,24 +212,24 @@ export class Autosave {
     this.#now?.saveDraft();
   }
 
-  /** The browser may keep a page that is left, and everything in it, for the way back. */
-  #leave() {
+  /** The page may enter the back/forward cache, so the locks are released. */
+  #onPageHide() {
     this.#saveDraft();
-    this.#now?.letGo();
-    this.#reopened?.letGo();
+    this.#now?.unlock();
+    this.#reopened?.unlock();
   }
 
-  #comeBack() {
-    this.#now?.hold();
-    this.#now?.touch();
+  #onPageRestored() {
+    this.#now?.lock();
+    this.#now?.markDirty();
     this.#save();
   }
 
-  /** @param {unknown} error */
-  #complain(error) {
-    setKeeping(false);
-    if (this.#hasComplained) return;
-    this.#hasComplained = true;
+  /** Shows an error once per series of failed saves. @param {unknown} error */
+  #report(error) {
+    setSavesWork(false);
+    if (this.#hasReported) return;
+    this.#hasReported = true;
     showError({ code: "not-kept", message: String(error), hint: "" });
   }
 }

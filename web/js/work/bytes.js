@@ -1,5 +1,5 @@
 /**
- * All bytes of a file, which may be gone by now, or not for this page to read.
+ * Reads a file; throws `{code: "unreadable-file", …}` if it was deleted or may not be read.
  *
  * @param {Blob} file
  */

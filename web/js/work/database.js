@@ -1,31 +1,30 @@
 /**
- * The browser's database. A slot has a row in both of its stores: a face with its photos, and what was done to it, which
- * changes often. Another tab can keep a database from opening, or a transaction from beginning, for as long as it likes:
- * each wait has a limit.
+ * The IndexedDB database. A slot has one row in each store: `faces` holds the face with its photos, `done` its edits, which
+ * change often. Another tab can block opening or a transaction indefinitely, so each step has a timeout.
  *
  * @typedef {{ faces: IDBObjectStore, done: IDBObjectStore }} Stores
  */
-import { within } from "./within.js";
+import { withTimeout } from "./timeout.js";
 
 const DATABASE = "rosto";
 const VERSION = 1;
 const STORES = ["faces", "done"];
 
-const OPENING_MS = 5000;
-const STARTING_MS = 5000;
-/** Several photos of full size are hundreds of megabytes. */
-const FINISHING_MS = 20_000;
+const OPEN_MS = 5000;
+const BEGIN_MS = 5000;
+/** Full-size photos can amount to hundreds of megabytes. */
+const COMMIT_MS = 20_000;
 
-/** The index of {@link Stores} `done` by the order in which works were kept. */
+/** Index of the `done` store by save order. */
 export const ORDER = "order";
 
 /**
- * Reads or writes both stores in one transaction, and resolves once it is committed: what a request has stored may still be
- * undone, for want of space for example.
+ * Runs `act` in one transaction over both stores. Resolves after the commit: a request that succeeded can still be rolled
+ * back, for example on a full disk.
  *
  * @template T
  * @param {IDBTransactionMode} mode
- * @param {(stores: Stores) => Promise<T>} act may wait for requests to these stores alone
+ * @param {(stores: Stores) => Promise<T>} act may await requests to these stores only
  * @returns {Promise<T>}
  */
 export async function transact(mode, act) {
@@ -38,11 +37,13 @@ export async function transact(mode, act) {
 }
 
 /**
+ * The result of a request as a promise.
+ *
  * @template T
  * @param {IDBRequest<T>} request
  * @returns {Promise<T>}
  */
-export function answer(request) {
+export function resultOf(request) {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error);
@@ -55,17 +56,17 @@ export function answer(request) {
  * @param {(stores: Stores) => Promise<T>} act
  */
 async function committed(transaction, act) {
-  const ended = new Promise((resolve, reject) => {
+  const completed = new Promise((resolve, reject) => {
     transaction.oncomplete = resolve;
     transaction.onabort = () => reject(transaction.error ?? new Error("the transaction was aborted"));
   });
-  // Whoever waits for it hears of it below.
-  ended.catch(() => {});
+  // Awaited below; this avoids an unhandled rejection until then.
+  completed.catch(() => {});
   const stores = { faces: transaction.objectStore("faces"), done: transaction.objectStore("done") };
   try {
-    // A transaction waits for those before it, other tabs' among them.
-    await within(STARTING_MS, answer(stores.done.count()), "beginning a transaction");
-    const [value] = await within(FINISHING_MS, Promise.all([act(stores), ended]), "ending a transaction");
+    // A transaction starts after earlier ones, including those of other tabs.
+    await withTimeout(BEGIN_MS, resultOf(stores.done.count()), "beginning a transaction");
+    const [value] = await withTimeout(COMMIT_MS, Promise.all([act(stores), completed]), "committing a transaction");
     return value;
   } catch (error) {
     abort(transaction);
@@ -78,17 +79,17 @@ function abort(transaction) {
   try {
     transaction.abort();
   } catch {
-    // It has come to an end by itself.
+    // Already committed or aborted.
   }
 }
 
 async function open() {
   const request = indexedDB.open(DATABASE, VERSION);
   request.onupgradeneeded = () => create(request.result);
-  const opening = answer(request);
+  const opening = resultOf(request);
   try {
-    const database = await within(OPENING_MS, opening, "opening the database");
-    // A page of another version may want the database for itself.
+    const database = await withTimeout(OPEN_MS, opening, "opening the database");
+    // Do not block an upgrade by a newer version of the page.
     database.onversionchange = () => database.close();
     return database;
   } catch (error) {
@@ -97,7 +98,7 @@ async function open() {
   }
 }
 
-/** @param {IDBDatabase} database that is new */
+/** @param {IDBDatabase} database */
 function create(database) {
   const [, done] = STORES.map((name) => database.createObjectStore(name));
   done?.createIndex(ORDER, ORDER);

@@ -1,17 +1,17 @@
 /**
- * What a page that is being left has no time to give to the database. It is in the browser's local storage, and so is the
- * order of what was kept last, by any tab: clocks can be set back.
+ * Drafts in local storage: while a page unloads, there is no time for an asynchronous database write. The save order is
+ * kept here too, shared by all tabs; it is a counter because clocks can go back.
  *
- * @typedef {import("./work.js").Done} Done
- * @typedef {Done & { order: number }} KeptDone `order`: greater than that of all that was kept before
+ * @typedef {import("./work.js").EditState} EditState
+ * @typedef {EditState & { order: number }} StoredEdits `order` increases with each save
  */
-import { isDone } from "./whole.js";
+import { isEditRow } from "./row-checks.js";
 
 const PREFIX = "rosto-drafts-";
 const ORDER = "rosto-order";
 
 /**
- * The next order.
+ * Increments the save order.
  *
  * @param {number} [latest] in the database
  */
@@ -23,20 +23,20 @@ export function nextOrder(latest = 0) {
 
 /**
  * @param {string} slot
- * @param {Done} done
+ * @param {EditState} edits
  */
-export function writeDraft(slot, done) {
-  write(PREFIX + slot, JSON.stringify({ ...done, order: nextOrder() }));
+export function writeDraft(slot, edits) {
+  write(PREFIX + slot, JSON.stringify({ ...edits, order: nextOrder() }));
 }
 
 /**
  * @param {string} slot
- * @returns {KeptDone | undefined} nothing where there are none that can be read
+ * @returns {StoredEdits | undefined} undefined if there is no valid draft
  */
 export function readDraft(slot) {
   try {
-    const words = JSON.parse(read(PREFIX + slot) ?? "null");
-    return isDone(words) ? words : undefined;
+    const draft = JSON.parse(read(PREFIX + slot) ?? "null");
+    return isEditRow(draft) ? draft : undefined;
   } catch {
     return undefined;
   }
@@ -47,15 +47,15 @@ export function deleteDraft(slot) {
   try {
     localStorage.removeItem(PREFIX + slot);
   } catch {
-    // There was nothing to forget, then.
+    // Storage is blocked, so there is no draft.
   }
 }
 
-/** Forgets those of other slots, whose face was never kept or is gone. @param {string[]} slots */
+/** Deletes the drafts of slots that no longer exist. @param {string[]} slots that exist */
 export function deleteOtherDrafts(slots) {
   try {
-    const spoken = Object.keys(localStorage).filter((key) => key.startsWith(PREFIX)).map((key) => key.slice(PREFIX.length));
-    for (const slot of spoken) if (!slots.includes(slot)) deleteDraft(slot);
+    const drafted = Object.keys(localStorage).filter((key) => key.startsWith(PREFIX)).map((key) => key.slice(PREFIX.length));
+    for (const slot of drafted) if (!slots.includes(slot)) deleteDraft(slot);
   } catch {
     // As above.
   }
@@ -75,6 +75,6 @@ function write(key, value) {
   try {
     localStorage.setItem(key, value);
   } catch {
-    // Blocked or full: the database has all but the last moment.
+    // Blocked or full: only the changes since the last database write are lost.
   }
 }

@@ -1,51 +1,50 @@
-/** Name of a picture that came without one, such as a pasted one. */
-const NAMELESS = "face";
+/** Stem for pictures without a name, such as pasted ones. */
+const DEFAULT_STEM = "face";
 
-/** Longer names are cut: file systems allow some 255 bytes, and an ending comes after it. */
-const MOST_LETTERS = 80;
+/** Longer stems are truncated: file systems allow about 255 bytes, including the suffix and extension. */
+const MAX_LENGTH = 80;
 
-/** What file systems refuse in names, and signs that turn the reading direction, so that a name would show another ending. */
-const REFUSED = /[<>:"/\\|?*\p{Cc}\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu;
+/** Characters that file systems reject, and bidirectional controls, which can disguise the extension. */
+const FORBIDDEN = /[<>:"/\\|?*\p{Cc}\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu;
 
-/** Windows keeps these for itself, whatever their ending. */
+/** Device names on Windows, reserved with any extension. */
 const RESERVED = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
 
-/** Clipboards and iPhones' cameras call every picture so. */
-const SAYS_NOTHING = /^image$/i;
+/** Generic name given by clipboards and iPhone cameras. */
+const GENERIC = /^image$/i;
 
-/** Meshes of another density than usual have their number of points at the end of their names. */
-const POINTS = /-\d{3,6}$/;
+/** Vertex count that the page appends to the name of a subdivided mesh. */
+const VERTEX_COUNT = /-\d{3,6}$/;
 
 /**
- * A file's name without its ending, fit to name other files by.
+ * A file's name without its extension, sanitised for use in other file names.
  *
- * @param {Blob} file which has a name only if it is a file
+ * @param {Blob} file
  */
 export function stemOf(file) {
   const name = file instanceof File ? file.name : "";
-  const stem = [...name.replace(/\.[^.]*$/, "").replace(REFUSED, "")].slice(0, MOST_LETTERS).join("");
+  const stem = [...name.replace(/\.[^.]*$/, "").replace(FORBIDDEN, "")].slice(0, MAX_LENGTH).join("");
   const tidy = stem.replace(/^[\s.]+|[\s.]+$/g, "");
-  return tidy === "" || RESERVED.test(tidy) || SAYS_NOTHING.test(tidy) ? NAMELESS : tidy;
+  return tidy === "" || RESERVED.test(tidy) || GENERIC.test(tidy) ? DEFAULT_STEM : tidy;
 }
 
 /**
- * The same without the number of points that this page has put there.
+ * Like {@link stemOf}, without the vertex count that the page appends on export.
  *
  * @param {Blob} file
  */
 export function stemOfMesh(file) {
-  return stemOf(file).replace(POINTS, "") || NAMELESS;
+  return stemOf(file).replace(VERTEX_COUNT, "") || DEFAULT_STEM;
 }
 
 /**
- * How a file made of a face is called.
+ * Name of an exported file.
  *
  * @param {{ name?: string | undefined } | undefined} face
- * @param {string} ending
- * @param {number | string} [apart] what tells it apart in a folder of downloads: the number of points of a mesh that was
- *   subdivided, or what a picture shows
+ * @param {string} extension without the dot
+ * @param {number | string} [suffix] vertex count of a subdivided mesh, or the content of a picture
  */
-export function fileName(face, ending, apart) {
-  const stem = face?.name ?? NAMELESS;
-  return apart === undefined ? `${stem}.${ending}` : `${stem}-${apart}.${ending}`;
+export function fileName(face, extension, suffix) {
+  const stem = face?.name ?? DEFAULT_STEM;
+  return suffix === undefined ? `${stem}.${extension}` : `${stem}-${suffix}.${extension}`;
 }

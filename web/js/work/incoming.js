@@ -2,82 +2,82 @@ import { bitmapOf } from "./pixels.js";
 
 /**
  * @typedef {import("./work.js").Work} Work
- * @typedef {import("./work.js").Done} Done
+ * @typedef {import("./work.js").EditState} EditState
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  *
- * @typedef {object} Shown
+ * @typedef {object} ShownFace
  * @property {OpenedFace} face
- * @property {OpenedFace[]} faces all of its photo, itself among them
+ * @property {OpenedFace[]} faces all faces of the photo, including `face`
  *
- * @typedef {object} Arrival
- * @property {ImageBitmap} bitmap the face's picture
- * @property {Done} [done] what was done to it before
- * @property {number} [extraction_ms] how long finding its landmarks took
- * @property {boolean} [changedElsewhere] whether the file tells of another shape than opens
- * @property {boolean} [isDoubtful] it may not be a face
- * @property {boolean} [ofThisVisit] whether its photo was open before
+ * @typedef {object} Loaded
+ * @property {ImageBitmap} bitmap of the face's picture
+ * @property {EditState} [edits] to restore
+ * @property {number} [extraction_ms] time to find the landmarks
+ * @property {boolean} [changedElsewhere] another program has changed the mesh in the file
+ * @property {boolean} [isDoubtful] possibly not a face
+ * @property {boolean} [ofThisVisit] the photo was open before
  *
- * @typedef {Shown & Arrival} Incoming what is ready to be opened
+ * @typedef {ShownFace & Loaded} Incoming a face ready to be opened
  */
 
 /**
- * Work out of a file or the browser's database.
+ * Prepares work read from a file or the database.
  *
  * @param {Work & { changedElsewhere?: boolean }} work
  * @returns {Promise<Incoming>}
  */
-export async function fromWork({ face, changedElsewhere = false, ...done }) {
+export async function fromWork({ face, changedElsewhere = false, ...edits }) {
   try {
-    return { face, faces: [face], bitmap: await bitmapOf(face), done, changedElsewhere };
+    return { face, faces: [face], bitmap: await bitmapOf(face), edits, changedElsewhere };
   } catch (error) {
     throw { code: "bad-kept-work", message: String(error), hint: "" };
   }
 }
 
 /**
- * A face of this visit as it was left. How it is looked at stays as it is.
+ * Prepares a face shown earlier in this visit, with its edits. The current view settings are kept.
  *
- * @param {Shown} shown
- * @param {Done | undefined} left nothing if it was never on the screen
+ * @param {ShownFace} shown
+ * @param {EditState | undefined} last undefined if the face was never opened
  * @returns {Promise<Incoming>}
  */
-export async function fromVisit({ face, faces }, left) {
-  const { preferences: _, ...done } = left ?? { edits: "", triangulation: "", density: 0 };
-  return { face, faces, bitmap: await bitmapOf(face), ...(left && { done }), ofThisVisit: true };
+export async function fromVisit({ face, faces }, last) {
+  const { preferences: _, ...edits } = last ?? { edits: "", triangulation: "", density: 0 };
+  return { face, faces, bitmap: await bitmapOf(face), ...(last && { edits }), ofThisVisit: true };
 }
 
-/** So many photos of a visit can be gone back to: their pictures stay in memory, those of others in the database alone. */
-const MOST_PHOTOS = 3;
+/** Number of earlier photos whose pictures stay in memory. */
+const MAX_PHOTOS = 3;
 
 /**
- * What was shown before a face, the latest first, each face once. What comes back after a crash takes no other's place.
+ * The faces shown before `now`, latest first, without duplicates, limited to the photos that stay in memory.
  *
- * @param {(Shown | undefined)[]} shown the latest first
+ * @param {(ShownFace | undefined)[]} shown latest first
  * @param {OpenedFace} now
- * @returns {Shown[]}
+ * @returns {ShownFace[]}
  */
 export function shownBefore(shown, now) {
-  const others = shown.filter((one) => one !== undefined).filter(({ face }) => face !== now);
-  const once = others.filter(({ face }, place) => others.findIndex((one) => one.face === face) === place);
-  const pictures = [...new Set(once.map(({ face }) => face.picture))].filter((picture) => picture !== now.picture);
-  const kept = new Set([now.picture, ...pictures.slice(0, MOST_PHOTOS)]);
-  return once.filter(({ face }) => kept.has(face.picture));
+  const others = shown.filter((entry) => entry !== undefined).filter(({ face }) => face !== now);
+  const unique = others.filter(({ face }, index) => others.findIndex((other) => other.face === face) === index);
+  const pictures = [...new Set(unique.map(({ face }) => face.picture))].filter((picture) => picture !== now.picture);
+  const kept = new Set([now.picture, ...pictures.slice(0, MAX_PHOTOS)]);
+  return unique.filter(({ face }) => kept.has(face.picture));
 }
 
 /**
- * The faces that are offered to go back to: the one shown last, and the last one of each other photo.
+ * The faces offered in the recent list: the one shown last, and the latest of each other photo.
  *
- * @param {Shown[]} before the latest first
- * @param {OpenedFace[]} faces of the photo that is shown
+ * @param {ShownFace[]} before latest first
+ * @param {OpenedFace[]} faces of the current photo
  * @returns {OpenedFace[]}
  */
 export function recentFaces(before, faces) {
   const photos = new Set(faces.map(({ picture }) => picture));
   return before
-    .filter(({ face }, place) => {
+    .filter(({ face }, index) => {
       const isNew = !photos.has(face.picture);
       photos.add(face.picture);
-      return place === 0 || isNew;
+      return index === 0 || isNew;
     })
     .map(({ face }) => face);
 }

@@ -1,8 +1,8 @@
-/** Each slot has a lock, which the tab holds that shows its face. */
-import { within } from "./within.js";
+/** One Web Lock per slot, held by the tab that shows its face. */
+import { withTimeout } from "./timeout.js";
 
-/** After this long without an answer a lock is looked for among those that are held. */
-const PATIENCE_MS = 1000;
+/** After this long without a lock, the held locks are queried instead. */
+const ACQUIRE_MS = 1000;
 
 const QUERY_MS = 2000;
 
@@ -12,33 +12,33 @@ function lockOf(slot) {
 }
 
 /**
- * Makes a slot this tab's. Where the browser has no locks, or does not answer, it is so without one: whoever writes makes sure
- * that no other tab has.
+ * Locks a slot for this tab. If the browser has no locks or does not answer, the tab proceeds without one; writes still
+ * detect a conflict with another tab.
  *
  * @param {string} slot
- * @returns {Promise<(() => void) | undefined>} lets go of it; nothing if another tab holds it
+ * @returns {Promise<(() => void) | undefined>} the release function; undefined if another tab holds the slot
  */
-export function hold(slot) {
+export function lockSlot(slot) {
   return new Promise((resolve) => {
     let isLate = false;
     const giveUp = async () => {
       isLate = true;
-      resolve((await heldOf([slot])).has(slot) ? undefined : () => {});
+      resolve((await lockedSlots([slot])).has(slot) ? undefined : () => {});
     };
-    setTimeout(giveUp, PATIENCE_MS);
-    const keep = () => isLate || new Promise((letGo) => resolve(() => letGo(undefined)));
-    Promise.resolve().then(() => navigator.locks.request(lockOf(slot), keep)).catch(giveUp);
+    setTimeout(giveUp, ACQUIRE_MS);
+    const onGranted = () => isLate || new Promise((release) => resolve(() => release(undefined)));
+    Promise.resolve().then(() => navigator.locks.request(lockOf(slot), onGranted)).catch(giveUp);
   });
 }
 
 /**
- * Those of the slots that a tab holds, this one or another; none where the browser does not say.
+ * The slots that a tab holds, this one included; empty if the browser does not answer.
  *
  * @param {string[]} slots
  */
-export async function heldOf(slots) {
+export async function lockedSlots(slots) {
   try {
-    const { held = [] } = await within(QUERY_MS, navigator.locks.query(), "looking for locks");
+    const { held = [] } = await withTimeout(QUERY_MS, navigator.locks.query(), "querying the locks");
     const names = new Set(held.map(({ name }) => name));
     return new Set(slots.filter((slot) => names.has(lockOf(slot))));
   } catch {

@@ -1,11 +1,11 @@
 /**
- * A face that is seen in several photos: one leads, and the others tell how deep it is.
+ * A face with several photos: one leads, and the others contribute depth.
  *
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  */
 
 /**
- * The photos of a face in the order that they were given in.
+ * The photos of a face, in the order they were added.
  *
  * @param {OpenedFace} face
  * @returns {OpenedFace[]}
@@ -15,49 +15,49 @@ export function photosOf({ further = [], place = 0, ...lead }) {
 }
 
 /**
- * Where a photo is among those of a face. It is the same photo for as long as it has the landmarks that were found in it,
- * wherever it is and whatever is known of its lens.
+ * Index of a photo among those of a face. Photos are compared by the identity of their landmarks, as order and lens can
+ * change.
  *
  * @param {OpenedFace | undefined} face
  * @param {OpenedFace} photo
- * @returns {number | undefined} nothing if it is none of them
+ * @returns {number | undefined} undefined if the face does not have the photo
  */
-export function placeOf(face, photo) {
-  const place = face ? photosOf(face).findIndex(({ landmarks }) => landmarks === photo.landmarks) : -1;
-  return place < 0 ? undefined : place;
+export function indexOfPhoto(face, photo) {
+  const index = face ? photosOf(face).findIndex(({ landmarks }) => landmarks === photo.landmarks) : -1;
+  return index < 0 ? undefined : index;
 }
 
 /**
- * The face of several photos, of which one leads.
+ * Combines photos into one face.
  *
- * @param {OpenedFace[]} photos in the order that they were given in
- * @param {number} place of the one that leads
- * @param {string | undefined} name of the files made of it
+ * @param {OpenedFace[]} photos in the order they were added
+ * @param {number} place index of the leading photo
+ * @param {string | undefined} name stem of exported file names
  * @returns {OpenedFace}
  */
-export function faceOf(photos, place, name) {
+export function faceFromPhotos(photos, place, name) {
   const lead = photos[place];
-  if (!lead) throw new Error("none of the photos leads");
+  if (!lead) throw new Error("no leading photo");
   const named = name === undefined ? lead : { ...lead, name };
   return photos.length === 1 ? named : { ...named, place, further: photos.filter((photo) => photo !== lead) };
 }
 
 /**
- * What is found in a photo, in the order in which the studio takes it.
+ * The detection in a photo, as leading arguments of the studio's methods.
  *
  * @param {OpenedFace} photo
  * @returns {[Float32Array, number, number, Uint8Array, string]}
  */
-export function foundIn({ landmarks, width_px, height_px, colours, lens }) {
+export function detectionOf({ landmarks, width_px, height_px, colours, lens }) {
   return [landmarks, width_px, height_px, colours, lens];
 }
 
 /**
- * What the studio tells of the open face's photos, in the order that they were given in.
+ * The studio's facts about the open face's photos, in the order they were added.
  *
  * @param {import("../../wasm/rosto-studio-web.js").Studio} studio
  */
-export function factsOf(studio) {
+export function photoFacts(studio) {
   return studio.photos().map((photo) => {
     const { leads, yawDeg, turn, adds } = photo;
     photo.free();

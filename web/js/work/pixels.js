@@ -1,9 +1,9 @@
 /** @typedef {{ picture: Uint8Array, pictureWidth_px: number, pictureHeight_px: number }} Picture RGBA, row by row */
 
 /**
- * The pixels of a picture, RGBA row by row, with a bitmap laid into it; what it leaves free is transparent.
+ * RGBA pixels of a picture with a bitmap drawn into it; the rest is transparent. Closes the bitmap.
  *
- * @param {ImageBitmap} bitmap is closed
+ * @param {ImageBitmap} bitmap
  * @param {number} width px
  * @param {number} height px
  * @param {ArrayLike<number>} [place] of the bitmap in the picture, px: left, top, width, height
@@ -17,20 +17,12 @@ export function pixelsOf(bitmap, width, height, { 0: left = 0, 1: top = 0, 2: pl
   return new Uint8Array(context.getImageData(0, 0, width, height).data.buffer);
 }
 
-/**
- * A picture ready to be drawn.
- *
- * @param {Picture} picture
- */
+/** @param {Picture} picture */
 export function bitmapOf(picture) {
   return createImageBitmap(imageDataOf(picture));
 }
 
-/**
- * A picture as a PNG file, without loss.
- *
- * @param {Picture} picture
- */
+/** @param {Picture} picture */
 export function pngOf(picture) {
   const canvas = new OffscreenCanvas(picture.pictureWidth_px, picture.pictureHeight_px);
   canvas.getContext("2d")?.putImageData(imageDataOf(picture), 0, 0);
@@ -38,7 +30,7 @@ export function pngOf(picture) {
 }
 
 /**
- * A picture as a canvas takes it; its bytes are not copied.
+ * Wraps a picture's bytes without copying them.
  *
  * @param {Picture} picture
  */

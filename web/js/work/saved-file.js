@@ -1,7 +1,7 @@
 import { studioModule } from "../viewport/studio-module.js";
 import { bytesOf } from "./bytes.js";
 import { stemOf, stemOfMesh } from "./file-name.js";
-import { faceOf } from "./photos.js";
+import { faceFromPhotos } from "./photos.js";
 import { pixelsOf } from "./pixels.js";
 
 /**
@@ -9,23 +9,23 @@ import { pixelsOf } from "./pixels.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").ReopenedPhoto} ReopenedPhoto
  */
 
-/** As much of a file as tells what it is. */
-const START_BYTES = 4096;
+/** Length of the prefix that identifies the format. */
+const PREFIX_BYTES = 4096;
 
-/** A project or GLB of ours is far smaller; what is larger is not read into memory. */
+/** Rosto's projects and GLBs are far smaller; larger files are not read into memory. */
 const MAX_BYTES = 400_000_000;
 
 /**
- * What a file is by its first bytes. The page's module must have been started.
+ * Detects a file's format from its first bytes. Requires the page's module.
  *
  * @param {Blob} file
  */
 export async function kindOf(file) {
-  return studioModule().sniffFile(await bytesOf(file.slice(0, START_BYTES)));
+  return studioModule().sniffFile(await bytesOf(file.slice(0, PREFIX_BYTES)));
 }
 
 /**
- * The work out of a GLB or project that was saved here, and whether another program has changed it since.
+ * Reads the work from a GLB or project saved by Rosto. `changedElsewhere` reports whether another program changed the mesh.
  *
  * @param {Blob} file
  * @param {"glb" | "project"} kind
@@ -39,7 +39,7 @@ export async function readSavedFile(file, kind) {
     const { edits, triangulation, density, changedElsewhere, inPhoto, leads } = reopened;
     const name = kind === "glb" && density !== studioModule().usualDensity() ? stemOfMesh(file) : stemOf(file);
     const photos = await Promise.all(reopened.takePhotos().map((photo) => photoOf(photo, kind)));
-    const face = faceOf(photos, leads, name);
+    const face = faceFromPhotos(photos, leads, name);
     return { face, edits, ...(inPhoto !== undefined && { photo: inPhoto }), triangulation, density, changedElsewhere };
   } finally {
     reopened.free();
@@ -47,7 +47,9 @@ export async function readSavedFile(file, kind) {
 }
 
 /**
- * @param {ReopenedPhoto} reopened is freed
+ * Converts and frees a photo.
+ *
+ * @param {ReopenedPhoto} reopened
  * @param {"glb" | "project"} kind
  * @returns {Promise<import("./work.js").OpenedFace>}
  */

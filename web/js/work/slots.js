@@ -1,117 +1,117 @@
 /**
- * The works kept in this browser: each open face has a slot of its own, which only the tab that holds it writes.
+ * Saved work in the database. Each open face has one slot, written only by the tab that holds its lock.
  *
  * @typedef {import("./work.js").Work} Work
- * @typedef {import("./work.js").Done} Done
+ * @typedef {import("./work.js").EditState} EditState
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  * @typedef {import("./database.js").Stores} Stores
- * @typedef {import("./whole.js").KeptPhoto} KeptPhoto
- * @typedef {{ slot: string, order: number, isWhole: boolean, isHeld: boolean }} Slot
+ * @typedef {import("./row-checks.js").StoredPhoto} StoredPhoto
+ * @typedef {{ slot: string, order: number, isComplete: boolean, isLocked: boolean }} Slot
  *
- * @typedef {object} Keeping
+ * @typedef {object} SlotWrite
  * @property {OpenedFace} face
- * @property {Done} done
- * @property {boolean} isFaceKept whether the slot has this face, as far as this tab knows
- * @property {number} [since] the order of what this tab last kept in the slot or read there
+ * @property {EditState} edits
+ * @property {boolean} isFaceStored whether this tab has already written the face
+ * @property {number} [since] save order of the slot when this tab last wrote or read it
  */
-import { ORDER, answer, transact } from "./database.js";
+import { ORDER, resultOf, transact } from "./database.js";
 import { deleteDraft, deleteOtherDrafts, readDraft, nextOrder } from "./drafts.js";
-import { heldOf, hold } from "./locks.js";
-import { isDone, isFace } from "./whole.js";
-import { Late } from "./within.js";
+import { lockedSlots, lockSlot } from "./locks.js";
+import { isEditRow, isFaceRow } from "./row-checks.js";
+import { TimeoutError } from "./timeout.js";
 
-/** As many works as this are kept that no tab has open. */
-const MOST_KEPT = 6;
+/** Number of slots to keep that no tab has open. */
+const MAX_FREE_SLOTS = 6;
 
-/** Numbers come before all other keys. */
+/** Numbers sort before keys of other types. */
 const NUMBERS = () => IDBKeyRange.upperBound(Number.MAX_SAFE_INTEGER);
 
-/** Thrown where another tab has written to a slot since this one did. */
-export class Taken extends Error {}
+/** Thrown if another tab has written a slot since this one did. */
+export class SlotConflict extends Error {}
 
-/** Thrown where a slot's rows are not all there, or not what they should be. */
-export class Damaged extends Error {}
+/** Thrown if a row of a slot is missing or invalid. */
+export class CorruptSlot extends Error {}
 
 /**
- * The slots, the latest first. Of their rows only the keys are read: one that cannot be read hides no other.
+ * Lists the slots, latest first. Reads only keys, so that an unreadable row does not hide the other slots.
  *
  * @returns {Promise<Slot[]>}
  */
 export async function allSlots() {
-  const [faces, done, orders] = await transact("readonly", (stores) => Promise.all([keysOf(stores.faces), keysOf(stores.done), ordersIn(stores.done)]));
-  const names = [...new Set([...faces, ...done])];
-  const held = await heldOf(names);
+  const [faces, edits, orders] = await transact("readonly", (stores) => Promise.all([keysOf(stores.faces), keysOf(stores.done), ordersIn(stores.done)]));
+  const names = [...new Set([...faces, ...edits])];
+  const locked = await lockedSlots(names);
   const slots = names.map((slot) => ({
     slot,
     order: Math.max(orders.get(slot) ?? 0, readDraft(slot)?.order ?? 0),
-    isWhole: faces.includes(slot) && done.includes(slot),
-    isHeld: held.has(slot),
+    isComplete: faces.includes(slot) && edits.includes(slot),
+    isLocked: locked.has(slot),
   }));
   return slots.sort((one, other) => other.order - one.order);
 }
 
 /**
- * The work in a slot, and the order of what the database has of it.
+ * Reads the work in a slot, with the save order of its database row. A newer draft replaces the edits of the row.
  *
  * @param {string} slot
  * @returns {Promise<{ work: Work, order: number }>}
  */
-export async function workIn(slot) {
-  const [face, done] = await transact("readonly", (stores) => Promise.all([answer(stores.faces.get(slot)), answer(stores.done.get(slot))]));
-  if (!isFace(face)) throw new Damaged(`the face in ${slot}`);
-  if (!isDone(done)) throw new Damaged(`what was done in ${slot}`);
-  const latest = readDraft(slot);
-  const { order: _, ...left } = latest && latest.order > done.order ? latest : done;
+export async function readSlot(slot) {
+  const [face, row] = await transact("readonly", (stores) => Promise.all([resultOf(stores.faces.get(slot)), resultOf(stores.done.get(slot))]));
+  if (!isFaceRow(face)) throw new CorruptSlot(`face of slot ${slot}`);
+  if (!isEditRow(row)) throw new CorruptSlot(`edits of slot ${slot}`);
+  const draft = readDraft(slot);
+  const { order: _, ...edits } = draft && draft.order > row.order ? draft : row;
   const { further, ...lead } = face;
   const photos = further && (await Promise.all(further.map(readPhoto)));
-  return { work: { face: { ...(await readPhoto(lead)), ...(photos && { further: photos }) }, ...left }, order: done.order };
+  return { work: { face: { ...(await readPhoto(lead)), ...(photos && { further: photos }) }, ...edits }, order: row.order };
 }
 
 /**
- * Keeps a face and what was done to it: both or neither.
+ * Writes a face and its edits in one transaction.
  *
  * @param {string} slot
- * @param {Keeping} keeping
- * @returns {Promise<number>} the order of what was kept
+ * @param {SlotWrite} content
+ * @returns {Promise<number>} the new save order
  */
-export async function keep(slot, keeping) {
-  const order = await put(slot, keeping, asBlob).catch((error) => {
-    if (error instanceof Late || error instanceof Taken) throw error;
-    return put(slot, keeping, withoutFile);
+export async function writeSlot(slot, content) {
+  const order = await put(slot, content, asBlob).catch((error) => {
+    if (error instanceof TimeoutError || error instanceof SlotConflict) throw error;
+    return put(slot, content, withoutFile);
   });
   if ((readDraft(slot)?.order ?? Infinity) <= order) deleteDraft(slot);
   return order;
 }
 
-/** Forgets the oldest of the works that no tab has open. */
+/** Deletes the oldest slots that no tab has open. */
 export async function prune() {
   const slots = await allSlots();
-  const free = slots.filter(({ isHeld }) => !isHeld);
-  for (const { slot } of free.slice(MOST_KEPT)) await dropIfFree(slot);
+  const free = slots.filter(({ isLocked }) => !isLocked);
+  for (const { slot } of free.slice(MAX_FREE_SLOTS)) await deleteIfFree(slot);
   deleteOtherDrafts(slots.map(({ slot }) => slot));
 }
 
 /**
  * @param {string} slot
- * @param {Keeping} keeping
- * @param {(photo: OpenedFace) => object} asKept
+ * @param {SlotWrite} content
+ * @param {(photo: OpenedFace) => object} asStored
  */
-function put(slot, { face, done, isFaceKept, since }, asKept) {
+function put(slot, { face, edits, isFaceStored, since }, asStored) {
   return transact("readwrite", async (stores) => {
-    const [key, before, latest] = await Promise.all([answer(stores.faces.getKey(slot)), answer(stores.done.get(slot)), latestOrder(stores.done)]);
-    if (before && before.order !== since) throw new Taken(`slot ${slot}`);
+    const [key, previous, latest] = await Promise.all([resultOf(stores.faces.getKey(slot)), resultOf(stores.done.get(slot)), latestOrder(stores.done)]);
+    if (previous && previous.order !== since) throw new SlotConflict(`slot ${slot}`);
     const order = nextOrder(latest);
-    const further = face.further?.map(asKept);
-    // The browser or the visitor may have cleared the database meanwhile.
-    const isThere = isFaceKept && key !== undefined;
-    const putting = isThere ? [] : [answer(stores.faces.put({ ...asKept(face), ...(further && { further }) }, slot))];
-    await Promise.all([...putting, answer(stores.done.put({ ...done, order }, slot))]);
+    const further = face.further?.map(asStored);
+    // The browser or the user may have cleared the database meanwhile.
+    const exists = isFaceStored && key !== undefined;
+    const putFace = exists ? [] : [resultOf(stores.faces.put({ ...asStored(face), ...(further && { further }) }, slot))];
+    await Promise.all([...putFace, resultOf(stores.done.put({ ...edits, order }, slot))]);
     return order;
   });
 }
 
 /**
- * As a blob the pixels are handed to the database outside the page's own thread.
+ * Stores the pixels as a Blob, which the browser writes off the main thread.
  *
  * @param {OpenedFace} photo
  */
@@ -119,15 +119,15 @@ function asBlob(photo) {
   return { ...photo, picture: new Blob([/** @type {BlobPart} */ (photo.picture)]) };
 }
 
-/** Not every browser takes blobs in a private window, or has room for the photo's own file. @param {OpenedFace} photo */
+/** Fallback: some browsers reject Blobs in private windows, or the disk is too full for the file. @param {OpenedFace} photo */
 function withoutFile({ photo: _, ...photo }) {
   return photo;
 }
 
 /**
- * A photo with its pixels, as it was kept. Where its file alone cannot be read, it comes without.
+ * Reads a photo's pixels; drops its original file if that is no longer readable.
  *
- * @param {KeptPhoto} kept
+ * @param {StoredPhoto} stored
  * @returns {Promise<OpenedFace>}
  */
 async function readPhoto({ photo: file, picture, ...found }) {
@@ -136,25 +136,25 @@ async function readPhoto({ photo: file, picture, ...found }) {
   return { ...found, ...(isReadable && { photo: file }), picture: pixels };
 }
 
-/** @param {string} slot is dropped unless a tab holds it */
-async function dropIfFree(slot) {
-  const letGo = await hold(slot);
-  if (!letGo) return;
+/** @param {string} slot */
+async function deleteIfFree(slot) {
+  const release = await lockSlot(slot);
+  if (!release) return;
   try {
-    await transact("readwrite", (stores) => Promise.all([answer(stores.faces.delete(slot)), answer(stores.done.delete(slot))]));
+    await transact("readwrite", (stores) => Promise.all([resultOf(stores.faces.delete(slot)), resultOf(stores.done.delete(slot))]));
     deleteDraft(slot);
   } finally {
-    letGo();
+    release();
   }
 }
 
 /** @param {IDBObjectStore} store */
 async function keysOf(store) {
-  return (await answer(store.getAllKeys())).map(String);
+  return (await resultOf(store.getAllKeys())).map(String);
 }
 
 /**
- * The order of each slot that has one.
+ * Save order by slot.
  *
  * @param {IDBObjectStore} done
  * @returns {Promise<Map<string, number>>}
@@ -175,6 +175,6 @@ function ordersIn(done) {
 
 /** @param {IDBObjectStore} done */
 async function latestOrder(done) {
-  const cursor = await answer(done.index(ORDER).openKeyCursor(NUMBERS(), "prev"));
+  const cursor = await resultOf(done.index(ORDER).openKeyCursor(NUMBERS(), "prev"));
   return cursor ? Number(cursor.key) : undefined;
 }

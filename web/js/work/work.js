@@ -1,36 +1,37 @@
 /**
- * Everything needed to go on with a face: what the worker found, and what was done since.
+ * Everything needed to restore a face: the worker's result and the edits made since.
  *
- * @typedef {{ face: OpenedFace } & Done} Work
+ * @typedef {{ face: OpenedFace } & EditState} Work
  *
- * @typedef {object} Done
- * @property {string} edits the studio's own versioned JSON
- * @property {string} triangulation that the edits were made on
- * @property {number} density how often the mesh is subdivided
- * @property {string} [photo] what the photo alone holds, as the studio tells it; none where nothing was done to it
- * @property {string} [lens] what the photo is taken to be taken through, where that is another than was known of it
- * @property {string} [preferences] choices and view, as the studio tells them
+ * @typedef {object} EditState
+ * @property {string} edits the studio's versioned JSON
+ * @property {string} triangulation on which the edits were made
+ * @property {number} density subdivision level
+ * @property {string} [photo] edits of the photo alone, in the studio's format
+ * @property {string} [lens] set by the user, if it differs from the lens detected
+ * @property {string} [preferences] choices and view, in the studio's format
  *
  * @typedef {object} OpenedFace
- * @property {string} [name] of the files made of it, without an ending; further photos out of a file have none
+ * @property {string} [name] stem of exported file names; absent for further photos from a saved file
  * @property {number} width_px of the upright photo in which the landmarks were found
  * @property {number} height_px
- * @property {Float32Array} landmarks 468 or 478 × (x/W, y/H, z/W), those of the irises last
- * @property {string} lens what is known of the photo's lens, as the studio takes it
+ * @property {Float32Array} landmarks 468 or 478 × (x/W, y/H, z/W), irises last
+ * @property {string} lens detected in the photo, in the studio's format
  * @property {Uint8Array} colours 468 × sRGB
- * @property {Blob} [photo] the file as it was opened; none of works that were saved without it
+ * @property {Blob} [photo] the original file; absent if the work was saved without it
  * @property {number} pictureWidth_px
  * @property {number} pictureHeight_px
  * @property {Uint8Array} picture RGBA, upright, row by row
- * @property {OpenedFace[]} [further] the other photos that the face is seen in, in the order that they were given in; all above is of the one that leads
- * @property {number} [place] of the one that leads among them all
+ * @property {OpenedFace[]} [further] the other photos of the face, in the order they were added; the fields above
+ *   describe the leading photo
+ * @property {number} [place] index of the leading photo among all photos
  */
 
 /**
- * The faces that the worker found, with the picture they share.
+ * Converts the worker's result; the faces share one picture.
  *
  * @param {import("../worker/protocol.js").FoundFaces} found
- * @param {string} name of their photo
+ * @param {string} name of the photo
  * @param {Blob} photo
  * @returns {OpenedFace[]}
  */

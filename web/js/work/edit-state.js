@@ -1,10 +1,10 @@
 /**
- * What was done to the face that is open, as it stands.
+ * The edits of the open face as they are now.
  *
  * @param {import("../viewport/host.js").Host | undefined} host
- * @returns {import("./work.js").Done | undefined}
+ * @returns {import("./work.js").EditState | undefined}
  */
-export function standing(host) {
+export function editStateOf(host) {
   return host?.read((state, studio) => {
     const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
     const [edits, photo, lens, preferences] = [studio.editsJson(), studio.photoEdit, studio.photoLens, studio.preferences()];
