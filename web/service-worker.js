@@ -40,7 +40,7 @@ const NOTES = "rosto-notes";
 /** The latest notes outlast their pages: a page that is only being opened is not among the open ones yet. */
 const SPARED_NOTES = 20;
 
-/** The page holds these against its list by itself, while they arrive: see built.js. */
+/** The page holds these against its list by itself, while they arrive: see integrity.js. */
 const CHECKED_BY_PAGE = /\.(wasm|onnx)$/;
 
 /** The notes that were written or read since this script was started. @type {Map<string, Build>} */

@@ -43,7 +43,7 @@ test("the page's policy forbids every other host, inline scripts and eval", asyn
 test("markup and scripts are taken from the page's own policy alone", async ({ visitor }) => {
   await visitor.untilLoaded();
   const { drawing, ...refused } = await visitor.page.evaluate(async () => {
-    const { ownScript, ownDrawing } = await import(new URL("js/page/trusted.js", document.baseURI).href);
+    const { scriptUrl, trustedSvg } = await import(new URL("js/page/trusted.js", document.baseURI).href);
     const text = (act) => {
       try {
         return String(act());
@@ -57,12 +57,12 @@ test("markup and scripts are taken from the page's own policy alone", async ({ v
       script: text(() => (document.createElement("script").src = "js/main.js")),
       policy: text(() => window.trustedTypes.createPolicy("another", {})),
       same: text(() => window.trustedTypes.createPolicy("rosto", {})),
-      foreign: text(() => ownScript("https://example.com/js/worker/vision-worker.js")),
-      data: text(() => ownScript("data:text/javascript,postMessage(1)")),
-      other: text(() => ownScript("js/main.js")),
-      drawing: text(() => ownDrawing('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0"/></svg>')),
-      handler: text(() => ownDrawing('<svg><path onload="alert(1)"/></svg>')),
-      scripted: text(() => ownDrawing("<svg><script>alert(1)</script></svg>")),
+      foreign: text(() => scriptUrl("https://example.com/js/worker/vision-worker.js")),
+      data: text(() => scriptUrl("data:text/javascript,postMessage(1)")),
+      other: text(() => scriptUrl("js/main.js")),
+      drawing: text(() => trustedSvg('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0"/></svg>')),
+      handler: text(() => trustedSvg('<svg><path onload="alert(1)"/></svg>')),
+      scripted: text(() => trustedSvg("<svg><script>alert(1)</script></svg>")),
     };
   });
   assert.match(drawing, /^<svg/);

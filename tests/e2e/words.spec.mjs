@@ -72,13 +72,13 @@ test("of two languages chosen while the words of one are on their way, the last 
 test("a browser that keeps nothing is promised nothing", async ({ visitor }) => {
   await visitor.untilLoaded();
   const hints = await visitor.page.evaluate(async () => {
-    const { setKeeping, showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
+    const { setSavesWork, showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
     const hint = () => document.getElementById("notice-hint").textContent;
     showError({ code: "device-lost", message: "", hint: "" });
     const kept = hint();
-    setKeeping(false);
+    setSavesWork(false);
     const unkept = hint();
-    setKeeping(true);
+    setSavesWork(true);
     return { kept, unkept, again: hint() };
   });
   assert.match(hints.kept, /Your work is saved/);

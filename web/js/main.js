@@ -3,9 +3,9 @@ import { setUpLivePreview } from "./live/live-preview.js";
 import { announce } from "./page/announce.js";
 import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
-import { did, setUpHints } from "./page/hint.js";
+import { completeHint, setUpHints } from "./page/hint.js";
 import { hideNotice, setUpNotice, showError } from "./page/notice.js";
-import { keepOffline } from "./page/offline.js";
+import { storeOffline } from "./page/offline.js";
 import { countRequests } from "./page/privacy.js";
 import { setUpProgress } from "./page/progress.js";
 import { remember, remembered } from "./page/remember.js";
@@ -38,7 +38,7 @@ import { setUpSharePanel } from "./share/share-panel.js";
 import { setUpBeforeAfter } from "./viewport/before-after.js";
 import { setUpBeside } from "./viewport/beside.js";
 import { setUpBrushMarks } from "./viewport/brush-marks.js";
-import { keepStageClear } from "./viewport/clear-stage.js";
+import { setUpViewportInsets } from "./viewport/viewport-insets.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpPulse } from "./viewport/pulse.js";
 import { setUpScene } from "./viewport/scene-switch.js";
@@ -50,7 +50,7 @@ import { onLocaleChange, language, languages, loadWords, speak, writeWords } fro
 import { Autosave } from "./work/autosave.js";
 
 await loadWords(remembered("language") ?? navigator.language);
-setUpWords();
+setUpLanguage();
 setUpNotice();
 setUpProgress();
 setUpHints();
@@ -63,7 +63,7 @@ const autosave = new Autosave();
 const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
-const host = openBench();
+const host = openHost();
 const faceChoice = new FaceChoice((face) => opening.openFace(face), (face) => opening.goBackTo(face));
 const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forget(extraction_ms);
 const opening = new Opening({ host, overlay, faceChoice, vision, autosave, opened });
@@ -75,20 +75,20 @@ setUpCamera((photo) => opening.openFile(photo, "selfie"));
 setUpLivePreview({ host, vision, opening });
 onAction("sample", () => opening.openFile(loadSample(), "sample"));
 autosave.offer((read) => opening.openWork(read));
-countRequests(loadTheRest());
+countRequests(loadInBackground());
 dispatchEvent(new Event("started"));
 
-/** The 3D view and every panel that works on it; nothing where the browser cannot draw in 3D. */
-async function openBench() {
+/** Sets up the 3D view and the panels that use it. Resolves to undefined if the browser cannot draw in 3D. */
+async function openHost() {
   try {
     const opened = await Host.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice });
     overlay.follow(opened);
     new EditOptions(opened);
-    new LandmarkMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, did, announce });
+    new LandmarkMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, onGesture: completeHint, announce });
     setUpBeforeAfter(opened);
     setUpPulse(opened);
-    keepStageClear(opened);
-    setUpViewKeys(opened, did);
+    setUpViewportInsets(opened);
+    setUpViewKeys(opened, completeHint);
     setUpScene(opened);
     setUpBeside(opened);
     setUpBrushMarks(opened);
@@ -108,7 +108,7 @@ async function openBench() {
     setUpPhotoFile(opened, autosave, vision);
     paper = new PaperPanel(opened);
     autosave.follow(opened);
-    opened.onRestart(() => workAgain(opened));
+    opened.onRestart(() => restoreWork(opened));
     opened.act((studio) => studio.showCanonical());
     document.body.dataset["host"] = "open";
     return opened;
@@ -119,22 +119,22 @@ async function openBench() {
   }
 }
 
-/** What is not needed for the first look: the workers, the sample, and the copy for use offline. */
-async function loadTheRest() {
+/** Loads what the first view does not need: workers, sample photo and offline copy. */
+async function loadInBackground() {
   await afterNextFrame();
   vision.start();
   await vision.ready;
   await host;
-  await Promise.allSettled([showSample(), validator.start(), keepOffline(isFallback()), prepareRestart()]);
+  await Promise.allSettled([showSample(), validator.start(), storeOffline(isFallback()), prepareRestart()]);
 }
 
 /**
- * The studio was started again, and is empty: it gets back what it had.
+ * Restores the work into a restarted studio, which is empty.
  *
  * @param {Host} opened
  */
-async function workAgain(opened) {
-  const work = autosave.lose();
+async function restoreWork(opened) {
+  const work = autosave.suspend();
   const theme = document.documentElement.dataset["theme"] === "dark" ? "dark" : "light";
   opened.act((studio) => studio.setTheme(theme));
   opened.act((studio) => studio.setReducedMotion(matchMedia("(prefers-reduced-motion: reduce)").matches));
@@ -143,7 +143,7 @@ async function workAgain(opened) {
   paper?.forget(undefined);
 }
 
-function setUpWords() {
+function setUpLanguage() {
   const choice = byId("language", HTMLSelectElement);
   choice.replaceChildren(...languages().map(({ id, name }) => new Option(name, id)));
   choice.value = language();

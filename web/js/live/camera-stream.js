@@ -1,39 +1,39 @@
 import { codeOf, hasPicture, stopTracks } from "../photo/camera-stream.js";
 
 /**
- * A frame is shown as large as it is worked on; the networks see it smaller still.
+ * Size at which frames are processed and shown; the networks get smaller ones.
  *
  * @type {MediaStreamConstraints}
  */
-const WANTED = { video: { facingMode: "user", width: { ideal: 1280 }, height: { ideal: 720 }, frameRate: { ideal: 30 } } };
+const CONSTRAINTS = { video: { facingMode: "user", width: { ideal: 1280 }, height: { ideal: 720 }, frameRate: { ideal: 30 } } };
 
 /**
- * @typedef {object} Audience whom a film is for
- * @property {(time_ms: number) => void} frame a new frame is on the video
- * @property {() => void} changed the camera has begun, or is silent for a while
- * @property {(code: string, error: unknown) => void} lost it could not begin, or ended by itself
+ * @typedef {object} CameraListener
+ * @property {(time_ms: number) => void} frame the video shows a new frame
+ * @property {() => void} changed the camera has started, or was muted or unmuted
+ * @property {(code: string, error: unknown) => void} lost the camera could not start, or has ended
  */
 
-/** The camera and its frames. It is asked for once at a time, and runs only between `open` and `close`. */
+/** The camera and its frames. Runs between `open` and `close`, with at most one permission request at a time. */
 export class CameraStream {
   #video;
-  #audience;
+  #listener;
   /** @type {MediaStream | undefined} */
   #stream;
   #isOpen = false;
-  /** The browser's question may outlive the mirror, and the next opening takes the answer. */
+  /** A permission prompt may outlive the live preview; the next `open` then uses its answer. */
   #isAsked = false;
 
   /**
    * @param {HTMLVideoElement} video
-   * @param {Audience} audience
+   * @param {CameraListener} listener
    */
-  constructor(video, audience) {
+  constructor(video, listener) {
     this.#video = video;
-    this.#audience = audience;
+    this.#listener = listener;
   }
 
-  /** Whether what the camera shows now is a picture of something. */
+  /** Whether the camera shows a picture now. */
   get hasPicture() {
     return hasPicture(this.#stream, this.#video);
   }
@@ -43,7 +43,7 @@ export class CameraStream {
     if (!this.#isAsked && !this.#stream) this.#ask();
   }
 
-  /** Nothing that the camera gave stays. */
+  /** Releases the camera. */
   close() {
     this.#isOpen = false;
     if (this.#stream) stopTracks(this.#stream);
@@ -51,7 +51,7 @@ export class CameraStream {
     this.#video.srcObject = null;
   }
 
-  /** What the camera shows now; nothing while that is no picture. */
+  /** Current frame; undefined if there is none. */
   async grab() {
     const stream = this.#stream;
     if (!this.hasPicture) return undefined;
@@ -64,11 +64,11 @@ export class CameraStream {
   async #ask() {
     this.#isAsked = true;
     try {
-      const stream = await navigator.mediaDevices.getUserMedia(WANTED);
+      const stream = await navigator.mediaDevices.getUserMedia(CONSTRAINTS);
       if (this.#isOpen) this.#begin(stream);
       else stopTracks(stream);
     } catch (error) {
-      if (this.#isOpen) this.#audience.lost(codeOf(error), error);
+      if (this.#isOpen) this.#listener.lost(codeOf(error), error);
     } finally {
       this.#isAsked = false;
     }
@@ -79,16 +79,16 @@ export class CameraStream {
     this.#stream = stream;
     const isOn = () => this.#stream === stream;
     for (const track of stream.getVideoTracks()) {
-      track.addEventListener("ended", () => isOn() && this.#audience.lost("camera-lost", "the camera's track ended"));
-      // A muted camera gives black pictures.
-      for (const change of ["mute", "unmute"]) track.addEventListener(change, () => isOn() && this.#audience.changed());
+      track.addEventListener("ended", () => isOn() && this.#listener.lost("camera-lost", "the camera's track ended"));
+      // A muted camera delivers black frames.
+      for (const change of ["mute", "unmute"]) track.addEventListener(change, () => isOn() && this.#listener.changed());
     }
     this.#video.srcObject = stream;
     this.#video.play().catch((error) => {
-      if (isOn()) this.#audience.lost("no-camera", error);
+      if (isOn()) this.#listener.lost("no-camera", error);
     });
     this.#watch(stream);
-    this.#audience.changed();
+    this.#listener.changed();
   }
 
   /** @param {MediaStream} stream */
@@ -96,27 +96,27 @@ export class CameraStream {
     onNextFrame(this.#video, (time_ms) => {
       if (this.#stream !== stream) return;
       this.#watch(stream);
-      this.#audience.frame(time_ms);
+      this.#listener.frame(time_ms);
     });
   }
 }
 
 /**
- * Browsers that do not tell of a video's frames are asked with each of their own whether there is another.
+ * Calls back for the next video frame. Browsers without `requestVideoFrameCallback` poll in animation frames.
  *
  * @param {HTMLVideoElement} video
- * @param {(time_ms: number) => void} tell
+ * @param {(time_ms: number) => void} callback
  */
-function onNextFrame(video, tell) {
+function onNextFrame(video, callback) {
   if ("requestVideoFrameCallback" in video) {
-    video.requestVideoFrameCallback((_, { mediaTime }) => tell(1000 * mediaTime));
+    video.requestVideoFrameCallback((_, { mediaTime }) => callback(1000 * mediaTime));
     return;
   }
   const { currentTime } = /** @type {HTMLVideoElement} */ (video);
-  const look = () => {
+  const poll = () => {
     const { currentTime: now, srcObject } = /** @type {HTMLVideoElement} */ (video);
-    if (now !== currentTime || !srcObject) tell(1000 * now);
-    else requestAnimationFrame(look);
+    if (now !== currentTime || !srcObject) callback(1000 * now);
+    else requestAnimationFrame(poll);
   };
-  requestAnimationFrame(look);
+  requestAnimationFrame(poll);
 }

@@ -1,16 +1,16 @@
 import { byId, onAction } from "../page/dom.js";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";
 
-/** @typedef {import("./figures.js").Figures} Figures */
+/** @typedef {import("./frame-stats.js").Figures} Figures */
 
-/** Figures are written so often, so that they can be read. */
-const FIGURES_EVERY_MS = 500;
+/** Update interval that keeps the figures readable. */
+const FIGURES_INTERVAL_MS = 500;
 
-/** What lies over the stage while the mirror is open: a word on what is seen, what can be done, and figures for who wants them. */
+/** The bar over the live preview: status, buttons and optional figures. */
 export class LiveBar {
   #bar = byId("live", HTMLElement);
   #status = byId("live-status", HTMLParagraphElement);
-  #keep = byId("live-keep", HTMLButtonElement);
+  #save = byId("live-keep", HTMLButtonElement);
   #toggle = byId("live-figures-shown", HTMLButtonElement);
   #line = byId("live-figures", HTMLParagraphElement);
   #read;
@@ -19,11 +19,11 @@ export class LiveBar {
   #word;
 
   /**
-   * @param {{ keep: () => void, close: () => void, figures: () => Figures | undefined }} wishes
+   * @param {{ save: () => void, close: () => void, figures: () => Figures | undefined }} actions
    */
-  constructor({ keep, close, figures }) {
+  constructor({ save, close, figures }) {
     this.#read = figures;
-    this.#keep.addEventListener("click", keep);
+    this.#save.addEventListener("click", save);
     onAction("close-live-preview", close);
     this.#toggle.addEventListener("click", () => this.#showFigures(Boolean(this.#line.hidden)));
     onLocaleChange(() => this.#write());
@@ -42,11 +42,11 @@ export class LiveBar {
   }
 
   /**
-   * @param {import("../words/words.js").WordKey | undefined} word on what is seen
-   * @param {boolean} canKeep
+   * @param {import("../words/words.js").WordKey | undefined} word status
+   * @param {boolean} canSave
    */
-  report(word, canKeep) {
-    this.#keep.disabled = !canKeep;
+  report(word, canSave) {
+    this.#save.disabled = !canSave;
     if (word === this.#word) return;
     this.#word = word;
     this.#write();
@@ -57,20 +57,20 @@ export class LiveBar {
     this.#line.hidden = !shown;
     this.#toggle.setAttribute("aria-pressed", String(shown));
     clearInterval(this.#timer);
-    if (shown) this.#timer = setInterval(() => this.#write(), FIGURES_EVERY_MS);
+    if (shown) this.#timer = setInterval(() => this.#write(), FIGURES_INTERVAL_MS);
     this.#write();
   }
 
   #write() {
     this.#status.textContent = this.#word ? t(this.#word) : "";
     const figures = this.#line.hidden ? undefined : this.#read();
-    this.#line.textContent = figures ? wordsOf(figures) : "";
+    this.#line.textContent = figures ? figuresText(figures) : "";
     Object.assign(this.#line.dataset, figures);
   }
 }
 
 /** @param {Figures} figures */
-function wordsOf({ frames, interval_ms, worker_ms, page_ms, age, jitter_px }) {
+function figuresText({ frames, interval_ms, worker_ms, page_ms, age, jitter_px }) {
   return t("live.figures.line", {
     frames: formatNumber(frames, 0),
     interval: formatNumber(interval_ms, 0),

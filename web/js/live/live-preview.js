@@ -1,40 +1,40 @@
 import { byId, onAction } from "../page/dom.js";
 import { showError } from "../page/notice.js";
 import { asPageError } from "../page/page-error.js";
-import { Stopwatch } from "./figures.js";
+import { FrameStats } from "./frame-stats.js";
 import { CameraStream } from "./camera-stream.js";
 import { LiveBar } from "./live-bar.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../worker/protocol.js").Followed} Followed
- * @typedef {import("../work/work.js").Done} Done
+ * @typedef {import("../work/work.js").EditState} EditState
  *
- * @typedef {object} Room
+ * @typedef {object} Context
  * @property {Promise<Host | undefined>} host
  * @property {import("../photo/vision-client.js").VisionClient} vision
  * @property {import("../opening.js").Opening} opening
  */
 
 /**
- * The camera live on the stage, with the edits of the face that is open.
+ * Sets up the live preview: the camera on the stage, with the edits of the open face.
  *
- * @param {Room} room
+ * @param {Context} context
  */
-export async function setUpLivePreview(room) {
-  const host = await room.host;
+export async function setUpLivePreview(context) {
+  const host = await context.host;
   if (!host) return;
-  const preview = new LivePreview(host, room);
+  const preview = new LivePreview(host, context);
   onAction("live-preview", () => preview.open());
   // One camera at a time.
   onAction("camera", () => preview.close());
 }
 
 /**
- * closed → live → closed, and from live to asleep and back while nobody looks at the page. The camera runs only while the mirror is
- * live. Frames are never queued: of those that come while the worker is busy, the newest is the next.
+ * States: closed → live → closed, and live ↔ asleep while the page is hidden. The camera runs only while live. Frames
+ * are not queued: a busy worker gets the newest one next.
  *
- * Sides are swapped in what is seen alone, by the stage's camera: frames, landmarks and edits keep theirs.
+ * Only the stage's camera mirrors the picture; frames, landmarks and edits keep their sides.
  */
 class LivePreview {
   /** @type {"closed" | "live" | "asleep"} */
@@ -46,22 +46,22 @@ class LivePreview {
   #stream = new CameraStream(this.#video, {
     frame: (time_ms) => this.#follow(time_ms),
     changed: () => this.#write(),
-    lost: (code, error) => this.#giveUp(code, error),
+    lost: (code, error) => this.#fail(code, error),
   });
   #bar = new LiveBar({
-    keep: () => this.#keep(),
+    save: () => this.#saveFrame(),
     close: () => this.close(),
-    figures: () => this.#stopwatch.read(),
+    figures: () => this.#stats.read(),
   });
-  #stopwatch = new Stopwatch();
-  /** The frame that is seen. @type {ImageBitmap | undefined} */
+  #stats = new FrameStats();
+  /** The displayed frame. @type {ImageBitmap | undefined} */
   #shown;
   #hasFace = false;
-  /** Frames of the camera so far. */
+  /** Number of camera frames so far. */
   #frames = 0;
-  /** Tells one opening of the mirror from the next. */
+  /** Identifies the current opening of the preview. */
   #opened = 0;
-  /** While a frame is read as a photo, those that follow are passed over. */
+  /** While a frame is opened as a photo, new frames are ignored. */
   #isReading = false;
   #sceneBefore = "solid";
   /** @type {Element | null} */
@@ -69,7 +69,7 @@ class LivePreview {
 
   /**
    * @param {Host} host
-   * @param {Room} room
+   * @param {Context} context
    */
   constructor(host, { vision, opening }) {
     this.#host = host;
@@ -80,7 +80,7 @@ class LivePreview {
       if (event.key === "Escape" && !isTaken) this.close();
     });
     addEventListener("pagehide", () => this.close());
-    document.addEventListener("visibilitychange", () => this.#mindTab());
+    document.addEventListener("visibilitychange", () => this.#followVisibility());
   }
 
   open() {
@@ -96,7 +96,7 @@ class LivePreview {
     this.#stream.open();
   }
 
-  /** The one way out: nothing that the camera gave stays, but for a photo that was kept. */
+  /** Releases the camera and its frames; a saved frame stays. */
   close() {
     if (this.#state === "closed") return;
     this.#state = "closed";
@@ -108,8 +108,8 @@ class LivePreview {
     if (this.#opener instanceof HTMLElement && this.#opener.checkVisibility()) this.#opener.focus();
   }
 
-  /** No camera runs for a page that nobody sees. */
-  #mindTab() {
+  /** Turns the camera off while the page is hidden. */
+  #followVisibility() {
     if (document.visibilityState === "hidden" && this.#state === "live") {
       this.#state = "asleep";
       this.#stop();
@@ -123,7 +123,7 @@ class LivePreview {
   #stop() {
     this.#stream.close();
     this.#vision.stopFollowing();
-    this.#stopwatch.clear();
+    this.#stats.clear();
     this.#shown?.close();
     this.#shown = undefined;
     this.#hasFace = false;
@@ -139,10 +139,10 @@ class LivePreview {
       const frame = await this.#stream.grab();
       const followed = frame && (await this.#vision.follow(frame, time_ms));
       if (!followed) return;
-      if (this.#state === "live" && opened === this.#opened) this.#take(followed, number);
+      if (this.#state === "live" && opened === this.#opened) this.#receive(followed, number);
       else followed.frame.close();
     } catch (error) {
-      // A worker that died is replaced: the next frame goes to the next one.
+      // A crashed worker is replaced; the next frame goes to the new one.
       if (this.#state === "live" && opened === this.#opened) showError(error);
     }
   }
@@ -151,13 +151,13 @@ class LivePreview {
    * @param {Followed} followed
    * @param {number} number of the frame
    */
-  #take(followed, number) {
+  #receive(followed, number) {
     const { frame, landmarks } = followed;
     this.#hasFace = Boolean(landmarks);
     this.#shown?.close();
     this.#shown = frame;
     if (document.body.dataset["state"] === "face") this.#show(followed, number);
-    else if (landmarks && !this.#isReading) this.#read(frame);
+    else if (landmarks && !this.#isReading) this.#openFrame(frame);
     this.#write();
   }
 
@@ -170,52 +170,52 @@ class LivePreview {
     try {
       this.#host.attempt((studio) => studio.previewFrame(frame, landmarks));
     } catch (error) {
-      // While the studio is started again there is no face; the next frames will find one.
+      // No face is open during a restart; later frames find one.
       if (!["no-face", "internal"].includes(asPageError(error).code)) this.#host.fail(error);
       return;
     }
     const at_ms = performance.now();
     const places_px = landmarks && placesOf(landmarks, [width_px, height_px]);
     const worker_ms = took_ms.read + took_ms.landmarks;
-    this.#stopwatch.take({ at_ms, worker_ms, page_ms: at_ms - begun_ms, age: this.#frames - number, places_px });
+    this.#stats.add({ at_ms, worker_ms, page_ms: at_ms - begun_ms, age: this.#frames - number, places_px });
     this.#video.hidden = true;
   }
 
-  /** The face that the mirror is about, where none is open: this frame's. @param {ImageBitmap} frame */
-  async #read(frame) {
+  /** Opens a face from this frame if none is open. @param {ImageBitmap} frame */
+  async #openFrame(frame) {
     const opened = this.#opened;
     this.#isReading = true;
     try {
       const photo = await photoOf(frame);
       if (this.#state !== "live" || opened !== this.#opened) return;
       await this.#opening.openFrame(photo);
-      // What went wrong has been said.
+      // The error is already shown.
       if (document.body.dataset["state"] !== "face" && opened === this.#opened) this.close();
     } finally {
       this.#isReading = false;
     }
   }
 
-  /** What is seen becomes a photo, with its edits, and the mirror ends. */
-  async #keep() {
+  /** Opens the displayed frame as a photo, with the current edits, and closes the preview. */
+  async #saveFrame() {
     const frame = this.#shown;
     if (!frame || !this.#hasFace || this.#isReading) return;
     const opened = this.#opened;
-    const done = this.#done();
+    const edits = this.#editState();
     this.#isReading = true;
     try {
       const photo = await photoOf(frame);
       if (this.#state !== "live" || opened !== this.#opened) return;
       this.#sceneBefore = document.body.dataset["scene"] ?? "solid";
       this.close();
-      await this.#opening.openFrame(photo, done);
+      await this.#opening.openFrame(photo, edits);
     } finally {
       this.#isReading = false;
     }
   }
 
-  /** @returns {Done | undefined} what was done to the face that is open */
-  #done() {
+  /** Edits of the open face. @returns {EditState | undefined} */
+  #editState() {
     this.#host.act((studio) => studio.commit());
     return this.#host.read((state, studio) => {
       const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
@@ -227,7 +227,7 @@ class LivePreview {
    * @param {string} code
    * @param {unknown} error
    */
-  #giveUp(code, error) {
+  #fail(code, error) {
     this.close();
     showError({ code, message: String(error), hint: "" });
   }
@@ -235,15 +235,15 @@ class LivePreview {
   #write() {
     const hasPicture = this.#stream.hasPicture;
     if (!this.#shown) this.#video.hidden = this.#state !== "live";
-    const canKeep = this.#state === "live" && this.#hasFace && document.body.dataset["state"] === "face";
+    const canSave = this.#state === "live" && this.#hasFace && document.body.dataset["state"] === "face";
     if (!hasPicture) this.#bar.report("camera.asking", false);
     else if (!this.#shown) this.#bar.report("live.looking", false);
-    else this.#bar.report(this.#hasFace ? undefined : "live.no-face", canKeep);
+    else this.#bar.report(this.#hasFace ? undefined : "live.no-face", canSave);
   }
 }
 
 /**
- * As large as the camera sent it, and without loss: it may be closed while this is under way.
+ * Lossless copy of the frame at full size, so that the frame can be closed meanwhile.
  *
  * @param {ImageBitmap} frame
  */

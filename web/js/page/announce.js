@@ -1,12 +1,13 @@
 import { byId } from "./dom.js";
 
 /**
- * Says what happened to those who do not see it.
+ * Announces a change to screen readers.
+ *
  *
  * @param {string} words
  */
 export function announce(words) {
-  const said = byId("said", HTMLParagraphElement);
-  // The same words twice are only said once, unless something about them differs.
-  said.textContent = said.textContent === words ? `${words}\u00a0` : words;
+  const region = byId("said", HTMLParagraphElement);
+  // A live region does not announce the same text twice; a no-break space makes it differ.
+  region.textContent = region.textContent === words ? `${words}\u00a0` : words;
 }

@@ -1,6 +1,6 @@
 import { byId, isTyping, onAction } from "./dom.js";
 
-/** The dialogs that only tell something. */
+/** Sets up the credits and keyboard-shortcut dialogs. */
 export function setUpDialogs() {
   setUp("credits");
   const keys = setUp("keys");

@@ -1,5 +1,5 @@
 /**
- * The element of that id, checked to be of the type the caller counts on.
+ * Element with this id; throws unless it has the expected type.
  *
  * @template {Element} T
  * @param {string} id
@@ -13,7 +13,7 @@ export function byId(id, type) {
 }
 
 /**
- * A new element with a class and text.
+ * Creates an element with a class and text.
  *
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} tag
@@ -28,7 +28,7 @@ export function make(tag, className, text) {
 }
 
 /**
- * One of the drawings that the page's text holds, for the eye alone.
+ * Creates a decorative icon from the page's SVG symbols.
  *
  * @param {string} name
  */
@@ -42,7 +42,7 @@ export function makeIcon(name) {
 }
 
 /**
- * Whether keys pressed there write text, or a number that is not finished (`data-typing`).
+ * Whether key presses edit text or an unfinished number (`data-typing`).
  *
  * @param {EventTarget | null} target
  */
@@ -51,7 +51,7 @@ export function isTyping(target) {
 }
 
 /**
- * The colour that is chosen there, each channel 0 to 255.
+ * Colour of a colour input, channels 0 to 255.
  *
  * @param {HTMLInputElement} input of type color
  */
@@ -61,7 +61,7 @@ export function chosenColour(input) {
 }
 
 /**
- * A colour as an input of type color takes it.
+ * Formats a colour for a colour input.
  *
  * @param {Uint8Array} channels 0 to 255 each
  */

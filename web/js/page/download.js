@@ -1,5 +1,5 @@
 /**
- * Hands bytes to the browser as a download.
+ * Downloads a file.
  *
  * @param {Uint8Array | string | Blob} content
  * @param {string} name
@@ -11,6 +11,6 @@ export function download(content, name, type) {
   link.href = url;
   link.download = name;
   link.click();
-  // The browser reads the blob after this task; a minute is plenty.
+  // The browser reads the blob after this task.
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }

@@ -2,56 +2,52 @@ import { onLocaleChange, t } from "../words/words.js";
 import { byId } from "./dom.js";
 import { remember, remembered } from "./remember.js";
 
-/** What a newcomer is told to do, one after the other. */
-const DEEDS = /** @type {const} */ (["drag", "turn"]);
+/** Actions that the hints suggest, in order. */
+const ACTIONS = /** @type {const} */ (["drag", "turn"]);
 
-/** @typedef {typeof DEEDS[number]} Deed */
+/** @typedef {typeof ACTIONS[number]} Action */
 
 /** @type {Set<string>} */
-const done = new Set();
-let isOffering = false;
-/** @type {Set<(deed: Deed | undefined) => void>} */
+const completed = new Set();
+let isShowing = false;
+/** @type {Set<(action: Action | undefined) => void>} */
 const listeners = new Set();
 
-/** Writes the hints in the page's language. */
+/** Loads completed hints and writes the current one in each locale. */
 export function setUpHints() {
-  for (const deed of DEEDS) if (remembered(`did.${deed}`)) done.add(deed);
+  for (const action of ACTIONS) if (remembered(`did.${action}`)) completed.add(action);
   onLocaleChange(write);
 }
 
-/** Gives the first hint that was not followed yet; it stays until it is. */
-export function giveHints() {
-  isOffering = true;
+/** Shows the first hint that is not completed yet. */
+export function showHints() {
+  isShowing = true;
   write();
 }
 
-/**
- * Something was done that a hint may have been about.
- *
- * @param {Deed} deed
- */
-export function did(deed) {
-  if (done.has(deed)) return;
-  done.add(deed);
-  remember(`did.${deed}`, "yes");
+/** Marks the action's hint as completed. @param {Action} action */
+export function completeHint(action) {
+  if (completed.has(action)) return;
+  completed.add(action);
+  remember(`did.${action}`, "yes");
   write();
 }
 
-/** @param {(deed: Deed | undefined) => void} listener is told now and later what is hinted at */
+/** @param {(action: Action | undefined) => void} listener called now and later with the suggested action */
 export function onHint(listener) {
   listeners.add(listener);
-  listener(hinted());
+  listener(suggested());
 }
 
-/** @returns {Deed | undefined} */
-function hinted() {
-  return isOffering ? DEEDS.find((deed) => !done.has(deed)) : undefined;
+/** @returns {Action | undefined} */
+function suggested() {
+  return isShowing ? ACTIONS.find((action) => !completed.has(action)) : undefined;
 }
 
 function write() {
   const element = byId("hint", HTMLParagraphElement);
-  const deed = hinted();
-  element.hidden = deed === undefined;
-  if (deed) element.textContent = t(`hint.${deed}`);
-  for (const listener of listeners) listener(deed);
+  const action = suggested();
+  element.hidden = action === undefined;
+  if (action) element.textContent = t(`hint.${action}`);
+  for (const listener of listeners) listener(action);
 }

@@ -5,15 +5,15 @@ import { asPageError } from "./page-error.js";
 /**
  * @typedef {"one-of-several" | "adds-little" | "earlier-work" | "may-not-be-a-face"} Remark
  * @typedef {{ kind: "error" | "remark", code: string, words: () => { title: string, hint: string } }} Notice
- * @typedef {"page" | "studio" | "gpu"} Owner who shows a notice, and alone may take it away again
+ * @typedef {"page" | "studio" | "gpu"} Owner component that shows a notice, and may hide it
  */
 
-/** The notice of each owner, the latest last: that is the one that shows. @type {Map<Owner, Notice>} */
+/** One notice per owner; the most recent one is shown. @type {Map<Owner, Notice>} */
 const notices = new Map();
-/** Whether this browser keeps the work from one visit to the next. */
-let keeps = true;
+/** Whether the browser saves the work. */
+let savesWork = true;
 
-/** Shows notices in the page's language and lets them be closed. */
+/** Writes notices in each locale and makes them closable. */
 export function setUpNotice() {
   byId("notice-close", HTMLButtonElement).addEventListener("click", () => dismissNotices());
   addEventListener("keydown", ({ key }) => {
@@ -24,7 +24,7 @@ export function setUpNotice() {
 }
 
 /**
- * Says what happened, and what to do next.
+ * Shows an error and what to do next.
  *
  * @param {unknown} thrown
  * @param {Owner} [owner]
@@ -34,10 +34,10 @@ export function showError(thrown, owner = "page") {
 }
 
 /**
- * Says something that is no error.
+ * Shows information that is not an error.
  *
  * @param {Remark} remark
- * @param {Record<string, string | number>} values for its words
+ * @param {Record<string, string | number>} values placeholders of the text
  */
 export function showRemark(remark, values) {
   const words = () => ({ title: t(`remark.${remark}`, values), hint: t(`remark.${remark}.hint`, values) });
@@ -45,16 +45,16 @@ export function showRemark(remark, values) {
 }
 
 /**
- * Says that a file was not added to those that are there, why, and what to do next.
+ * Reports why a photo was not added, and what to do next.
  *
- * @param {string} name of the file
+ * @param {string} name file name
  * @param {unknown} thrown
  */
 export function showNotAdded(name, thrown) {
   const notice = noticeOf(thrown);
   const words = () => {
     const { title: reason, hint: usual } = notice.words();
-    // A face from the side does not look at the camera.
+    // The general hint asks the user to face the camera, which is wrong for a side view.
     const hint = notice.code === "no-face-found" ? t("photos.not-added.no-face") : usual;
     return { title: t("photos.not-added", { name }), hint: t("photos.not-added.why", { reason, hint }) };
   };
@@ -62,7 +62,7 @@ export function showNotAdded(name, thrown) {
 }
 
 /**
- * Takes an owner's notice away; what another one shows stays.
+ * Hides an owner's notice.
  *
  * @param {Owner} owner
  */
@@ -71,19 +71,19 @@ export function hideNotice(owner) {
   write();
 }
 
-/** The visitor has read what is shown, or begins something new. */
+/** Hides all notices. */
 export function dismissNotices() {
   notices.clear();
   write();
 }
 
 /**
- * Notices promise that work is kept only where that is so.
+ * Sets whether hints may say that the work is saved.
  *
- * @param {boolean} isKept
+ * @param {boolean} saves
  */
-export function setKeeping(isKept) {
-  keeps = isKept;
+export function setSavesWork(saves) {
+  savesWork = saves;
   write();
 }
 
@@ -98,7 +98,7 @@ function show(notice, owner = "page") {
 }
 
 /**
- * What was not foreseen is told to the console as well.
+ * Logs unexpected errors to the console.
  *
  * @param {unknown} thrown
  * @returns {Notice}
@@ -106,7 +106,7 @@ function show(notice, owner = "page") {
 function noticeOf(thrown) {
   const { code } = asPageError(thrown);
   if (code === "other" || !isWord(`error.${code}`)) console.error(thrown);
-  return { kind: "error", code, words: () => wordsFor(code) };
+  return { kind: "error", code, words: () => errorText(code) };
 }
 
 function write() {
@@ -122,18 +122,18 @@ function write() {
   byId("notice-hint", HTMLParagraphElement).textContent = hint;
 }
 
-/** Where the notice is while no dialog is open. @type {Comment | undefined} */
-let home;
+/** Position of the notice while no dialog is open. @type {Comment | undefined} */
+let placeholder;
 
 /**
- * Above a dialog that is open, and within it: what is outside cannot be pressed.
+ * Moves the notice into an open modal dialog, because elements outside it are inert.
  *
  * @param {HTMLElement} notice
  */
 function place(notice) {
-  if (!home) {
-    home = document.createComment("notice");
-    notice.before(home);
+  if (!placeholder) {
+    placeholder = document.createComment("notice");
+    notice.before(placeholder);
   }
   const dialog = [...document.querySelectorAll("dialog:modal")].at(-1);
   if (dialog && !notice.hidden) {
@@ -143,28 +143,28 @@ function place(notice) {
     notice.showPopover();
   } else if (notice.popover) {
     notice.popover = null;
-    home.after(notice);
+    placeholder.after(notice);
   }
 }
 
 /**
- * The page's own words: what the modules say is English, and for those who develop them.
+ * Translated text of an error; messages of the modules are English and for developers.
  *
  * @param {string} code
  */
-function wordsFor(code) {
+function errorText(code) {
   const key = `error.${code}`;
   const known = isWord(key) ? key : "error.other";
-  return { title: t(known), hint: t(hintOf(known)) };
+  return { title: t(known), hint: t(hintKey(known)) };
 }
 
 /**
- * @param {string} key of an error's words
+ * @param {string} key key of an error's text
  * @returns {import("../words/words.js").WordKey}
  */
-function hintOf(key) {
+function hintKey(key) {
   const hint = `${key}.hint`;
-  const unkept = `${hint}.unkept`;
-  if (!keeps && isWord(unkept)) return unkept;
+  const unsaved = `${hint}.unkept`;
+  if (!savesWork && isWord(unsaved)) return unsaved;
   return isWord(hint) ? hint : "error.other.hint";
 }

@@ -1,33 +1,33 @@
-import { listHash } from "./built.js";
-import { ownScript } from "./trusted.js";
+import { listHash } from "./integrity.js";
+import { scriptUrl } from "./trusted.js";
 
-/** Where a copy is in use already, a server that is silent about a newer one keeps nobody waiting for longer. */
-const PATIENCE_MS = 5000;
+/** Maximum wait for the server if a stored copy is already in use. */
+const TIMEOUT_MS = 5000;
 
 /**
- * Stores the page for use without a network. Resolves when that is done, or when it is clear that it will not be.
+ * Stores the page for offline use. Resolves when it is stored, or cannot be.
  *
- * @param {boolean} needsFallback whether this browser needs the module that draws through WebGL2, which is stored later
+ * @param {boolean} needsFallback also store the WebGL2 module
  */
-export async function keepOffline(needsFallback) {
+export async function storeOffline(needsFallback) {
   if (!("serviceWorker" in navigator)) return;
-  // Without it the page works all the same, as long as there is a network.
-  const kept = keep(needsFallback).catch(() => {});
-  await (navigator.serviceWorker.controller ? Promise.race([kept, later()]) : kept);
+  // Offline use is optional, so errors are ignored.
+  const stored = store(needsFallback).catch(() => {});
+  await (navigator.serviceWorker.controller ? Promise.race([stored, timeout()]) : stored);
 }
 
 /** @param {boolean} needsFallback */
-async function keep(needsFallback) {
-  const registration = await navigator.serviceWorker.register(ownScript("service-worker.js"));
+async function store(needsFallback) {
+  const registration = await navigator.serviceWorker.register(scriptUrl("service-worker.js"));
   if (!registration) return;
   await installed(registration);
   const { active } = registration;
   if (needsFallback) active?.postMessage({ type: "keep-fallback" });
-  if (active && !navigator.serviceWorker.controller) await Promise.race([served(active), later()]);
+  if (active && !navigator.serviceWorker.controller) await Promise.race([takeControl(active), timeout()]);
 }
 
-function later() {
-  return new Promise((resolve) => setTimeout(resolve, PATIENCE_MS));
+function timeout() {
+  return new Promise((resolve) => setTimeout(resolve, TIMEOUT_MS));
 }
 
 /** @param {ServiceWorkerRegistration} registration */
@@ -35,7 +35,7 @@ function installed({ installing: worker, active }) {
   return new Promise((resolve) => {
     if (!worker) return resolve(undefined);
     worker.addEventListener("statechange", () => {
-      // Where another version is in use, this one waits.
+      // A new version waits while another one is in use.
       const isDone = worker.state === "activated" || worker.state === "redundant" || (active && worker.state === "installed");
       if (isDone) resolve(undefined);
     });
@@ -43,13 +43,13 @@ function installed({ installing: worker, active }) {
 }
 
 /**
- * Has this page's files come from the store from now on, though it was opened without one.
+ * Lets the service worker control this page, although the page was opened without it.
  *
  * @param {ServiceWorker} worker
  */
-async function served(worker) {
+async function takeControl(worker) {
   const version = document.querySelector("meta[name='version']")?.getAttribute("content");
-  const isServed = new Promise((resolve) => navigator.serviceWorker.addEventListener("controllerchange", resolve, { once: true }));
+  const controlled = new Promise((resolve) => navigator.serviceWorker.addEventListener("controllerchange", resolve, { once: true }));
   worker.postMessage({ type: "opened", build: { version, list: listHash() } });
-  await isServed;
+  await controlled;
 }

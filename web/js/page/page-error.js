@@ -1,14 +1,15 @@
 /** @typedef {import("../worker/protocol.js").PageError} PageError */
 
 /**
- * What was thrown as an error, whoever threw it.
+ * Converts any thrown value into an error with a code.
  *
  * @param {unknown} thrown
+ * @param {string} [code] used if the value has none
  * @param {string} [code] for what brings none
  * @returns {PageError}
  */
 export function asPageError(thrown, code = "other") {
-  // A browser's own exceptions have codes that are numbers.
+  // DOMException has numeric codes.
   if (typeof thrown === "object" && thrown !== null && "code" in thrown && typeof thrown.code === "string") {
     const { message = "", hint = "" } = /** @type {Partial<PageError>} */ (thrown);
     return { code: thrown.code, message, hint };
@@ -16,7 +17,7 @@ export function asPageError(thrown, code = "other") {
   return { code, message: String(thrown), hint: "" };
 }
 
-/** What is thrown about a photo without a face. @returns {PageError} */
+/** The error for a photo without a face. @returns {PageError} */
 export function noFace() {
   return { code: "no-face-found", message: "no face in the photo", hint: "" };
 }

@@ -4,7 +4,7 @@ import { byId } from "./dom.js";
 /** @type {number | undefined} */
 let requestsSinceLoad;
 
-/** Counts the page's network requests from the moment `loaded` says that everything has arrived. */
+/** Counts the network requests after `loaded` has resolved. */
 export async function countRequests(/** @type {Promise<unknown>} */ loaded) {
   onLocaleChange(write);
   await loaded;
@@ -17,11 +17,7 @@ export async function countRequests(/** @type {Promise<unknown>} */ loaded) {
   observer.observe({ type: "resource", buffered: false });
 }
 
-/**
- * Whether the entry is a request at all: the page's own blobs are listed beside them.
- *
- * @param {PerformanceEntry} entry
- */
+/** Whether the entry is a network request, not a blob URL. @param {PerformanceEntry} entry */
 function isRequest(entry) {
   return entry.name.startsWith("http");
 }

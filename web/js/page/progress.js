@@ -9,12 +9,12 @@ const STAGES = ["decode", "detect", "landmarks"];
 /** @type {"hidden" | "loading" | "working" | "done"} */
 let phase = "hidden";
 
-/** Writes the progress in the page's language. */
+/** Writes the progress title in each locale. */
 export function setUpProgress() {
   onLocaleChange(writeTitle);
 }
 
-/** Shows that the photo waits for the worker, whose networks are still on their way. */
+/** Shows that the photo waits for the networks to load. */
 export function showLoading() {
   setPhase("loading");
   byId("progress-bar", HTMLProgressElement).removeAttribute("value");
@@ -22,10 +22,10 @@ export function showLoading() {
 }
 
 /**
- * Shows how far the photo has come. Within a photo the bar never goes back.
+ * Shows the current stage. The bar does not go back within a photo.
  *
- * @param {Stage} stage at work now
- * @param {number} fraction how much of the whole is done, 0 to 1
+ * @param {Stage} stage
+ * @param {number} fraction total progress, 0 to 1
  */
 export function showStage(stage, fraction) {
   const bar = byId("progress-bar", HTMLProgressElement);
@@ -34,7 +34,6 @@ export function showStage(stage, fraction) {
   markSteps(STAGES.indexOf(stage));
 }
 
-/** Takes the progress away. */
 export function hideProgress() {
   setPhase("hidden");
 }
@@ -53,7 +52,7 @@ function writeTitle() {
   if (phase === "working") title.textContent = t("progress.working");
 }
 
-/** @param {number} now index of the step at work */
+/** @param {number} now index of the current step */
 function markSteps(now) {
   for (const item of byId("progress-steps", HTMLOListElement).children) {
     if (!(item instanceof HTMLElement)) continue;

@@ -1,8 +1,8 @@
-/** What was chosen in this visit, for browsers that store nothing. */
+/** Choices of this visit, for browsers without storage. */
 const chosen = new Map();
 
 /**
- * What the visitor chose, now or in an earlier visit.
+ * Returns a choice of this or an earlier visit.
  *
  * @param {string} name
  * @returns {string | undefined}
@@ -12,7 +12,7 @@ export function remembered(name) {
 }
 
 /**
- * Remembers a choice for the next visit. A browser may refuse that; then it holds until the page is left.
+ * Stores a choice for later visits, or for this one if the browser refuses.
  *
  * @param {string} name
  * @param {string} choice
@@ -22,7 +22,7 @@ export function remember(name, choice) {
   try {
     localStorage.setItem(`rosto.${name}`, choice);
   } catch {
-    // Storage that is blocked or full is no reason to stop.
+    // Storage may be blocked or full.
   }
 }
 

@@ -1,16 +1,15 @@
 /**
- * Says that the page did not start: a module that does not arrive, or that this browser cannot read, takes all others
- * with it, and with them every word the page could say. A classic script that needs none of them; main.js
- * sends "started" when it has come to its end.
+ * Shows a notice if the page does not start. If one module is missing or unsupported, none of them runs, so this is a
+ * separate classic script. main.js dispatches "started".
  */
 (() => {
-  /** After this long without a start the page says so; it takes that back if it starts after all. */
-  const PATIENCE_MS = 20000;
+  /** Show the notice after this time; it disappears if the page starts later. */
+  const TIMEOUT_MS = 20000;
 
   let hasStarted = false;
   let lacksPart = false;
 
-  // The loading of an element fails without bubbling.
+  // Resource errors do not bubble, so listen in the capture phase.
   addEventListener("error", (event) => {
     const { target } = event;
     const isPart = target instanceof HTMLScriptElement || (target instanceof HTMLLinkElement && target.rel === "stylesheet");
@@ -25,11 +24,11 @@
 
   setTimeout(() => {
     if (!hasStarted) show(true);
-  }, PATIENCE_MS);
+  }, TIMEOUT_MS);
 
   /** @param {boolean} isShown */
   function show(isShown) {
-    // The notice comes after this script: a failure may be faster than it.
+    // This script runs before the notice is parsed.
     if (document.readyState === "loading") {
       document.addEventListener("DOMContentLoaded", () => show(isShown), { once: true });
       return;

@@ -1,23 +1,23 @@
 import { byId } from "./dom.js";
 
-/** Windows without room for a head of the panel's own, as the style sheets have it. */
+/** Windows without a panel head, as in the style sheets. */
 const SMALL = matchMedia("(width < 560px), (width < 720px) and (orientation: portrait), (height < 560px)");
 
-/** Where the arrow keys, Home and End lead from a tab. @type {Record<string, (place: number, count: number) => number>} */
-const STEPS = {
+/** Index of the tab that a key selects. @type {Record<string, (place: number, count: number) => number>} */
+const NEXT_TAB = {
   ArrowRight: (place, count) => (place + 1) % count,
   ArrowLeft: (place, count) => (place - 1 + count) % count,
   Home: () => 0,
   End: (_, count) => count - 1,
 };
 
-/** The panel's three tabs, by pointer and by keys. */
+/** Sets up the panel's tabs, for pointer and keyboard. */
 export function setUpTabs() {
   const tabs = allTabs();
   for (const [place, tab] of tabs.entries()) {
     tab.addEventListener("click", () => choose(tab));
     tab.addEventListener("keydown", (event) => {
-      const next = tabs[STEPS[event.key]?.(place, tabs.length) ?? -1];
+      const next = tabs[NEXT_TAB[event.key]?.(place, tabs.length) ?? -1];
       if (!next) return;
       event.preventDefault();
       event.stopPropagation();
@@ -31,7 +31,7 @@ export function setUpTabs() {
 }
 
 /**
- * Shows a section of the panel, whichever tab or fold hides it.
+ * Shows a section: selects its tab and opens the folds around it.
  *
  * @param {string} id
  */
@@ -43,7 +43,7 @@ export function reveal(id) {
   for (let fold = section.closest("details"); fold; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
 }
 
-/** A tab begins at its top. @param {HTMLButtonElement} chosen */
+/** Selects a tab and scrolls to its top. @param {HTMLButtonElement} chosen */
 function choose(chosen) {
   const sections = byId("sections", HTMLDivElement);
   document.body.dataset["tab"] = chosen.dataset["tabName"] ?? "shape";
@@ -55,7 +55,7 @@ function choose(chosen) {
   sections.scrollTop = 0;
 }
 
-/** Language and theme stand at the panel's head, or where there is none, at its end. */
+/** Puts language and theme into the panel's head; in small windows, at the panel's end. */
 function placeSettings() {
   const settings = byId("page-settings", HTMLDivElement);
   if (SMALL.matches) byId("panel-foot", HTMLElement).prepend(settings);

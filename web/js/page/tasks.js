@@ -1,9 +1,9 @@
-/** Resolves in a task of its own, before which the page can answer and draw. */
+/** Resolves in a new task, so that the browser can handle events and paint first. */
 export function nextTask() {
   return new Promise((/** @type {(value: void) => void} */ resolve) => setTimeout(resolve));
 }
 
-/** Resolves once the next frame is on the screen. */
+/** Resolves after the next frame is painted. */
 export function afterNextFrame() {
   return new Promise((/** @type {(value: void) => void} */ resolve) => requestAnimationFrame(() => setTimeout(resolve)));
 }

@@ -2,7 +2,7 @@ import { byId } from "./dom.js";
 import { remember, remembered } from "./remember.js";
 
 /**
- * Light or dark: the system's choice until the button is pressed.
+ * Sets up the theme: the system's preference until the user chooses one.
  *
  * @param {(theme: "light" | "dark") => void} changed
  */

@@ -1,13 +1,13 @@
 import { announce } from "./announce.js";
 import { byId } from "./dom.js";
 
-/** Long enough to be read once. */
-const SHOWN_MS = 4000;
+/** Long enough to read once. */
+const DURATION_MS = 4000;
 
-let leaving = 0;
+let timer = 0;
 
 /**
- * Says that something was done, to those who see it and to those who do not.
+ * Shows a confirmation, and announces it to screen readers.
  *
  * @param {string} words
  */
@@ -16,6 +16,6 @@ export function toast(words) {
   element.textContent = words;
   element.hidden = false;
   announce(words);
-  clearTimeout(leaving);
-  leaving = setTimeout(() => (element.hidden = true), SHOWN_MS);
+  clearTimeout(timer);
+  timer = setTimeout(() => (element.hidden = true), DURATION_MS);
 }

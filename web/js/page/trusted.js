@@ -1,28 +1,28 @@
 /**
- * The one policy that the page's Content-Security-Policy knows: what becomes a script or markup passes through here, and a
- * browser with Trusted Types refuses whatever does not. Others take the same strings as they are.
+ * The Trusted Types policy that the Content-Security-Policy allows. Script URLs and markup pass through it; browsers
+ * without Trusted Types get the same checks and plain strings.
  *
  * @typedef {{ createScriptURL: (address: string) => string, createHTML: (text: string) => string }} Policy
  * @typedef {{ createPolicy: (name: string, rules: Policy) => Policy }} PolicyFactory
  */
 
 /** The page's folder. */
-const HERE = new URL("../../", import.meta.url);
+const BASE = new URL("../../", import.meta.url);
 
-/** All that is ever started as a script of its own. */
+/** Scripts of workers and of the service worker. */
 const SCRIPTS = ["js/worker/vision-worker.js", "js/worker/validator-worker.js", "service-worker.js"];
 
-/** What a drawing has no use for: scripts, handlers of events, and addresses of anything else. */
-const NO_DRAWING = /<\s*(script|foreignObject)|\son\w+\s*=|href|url\(|javascript:/i;
+/** Rejected in drawings: scripts, event handlers and external references. */
+const FORBIDDEN_IN_SVG = /<\s*(script|foreignObject)|\son\w+\s*=|href|url\(|javascript:/i;
 
 /** @type {Policy} */
 const RULES = {
   createScriptURL: (address) => {
-    if (!SCRIPTS.some((name) => new URL(name, HERE).href === address)) throw new TypeError(`${address} is no script of this page`);
+    if (!SCRIPTS.some((name) => new URL(name, BASE).href === address)) throw new TypeError(`${address} is not a script of this page`);
     return address;
   },
   createHTML: (text) => {
-    if (NO_DRAWING.test(text)) throw new TypeError("this is more than a drawing");
+    if (FORBIDDEN_IN_SVG.test(text)) throw new TypeError("the SVG contains scripts or references");
     return text;
   },
 };
@@ -31,19 +31,19 @@ const { trustedTypes } = /** @type {{ trustedTypes?: PolicyFactory }} */ (global
 const policy = trustedTypes?.createPolicy("rosto", RULES) ?? RULES;
 
 /**
- * The address of a script of the page's.
+ * URL of one of the page's scripts.
  *
- * @param {string} name from the page's folder on
+ * @param {string} name path relative to the page's folder
  */
-export function ownScript(name) {
-  return policy.createScriptURL(new URL(name, HERE).href);
+export function scriptUrl(name) {
+  return policy.createScriptURL(new URL(name, BASE).href);
 }
 
 /**
- * A drawing that one of the page's modules made.
+ * SVG made by one of the page's modules, as trusted markup.
  *
  * @param {string} svg
  */
-export function ownDrawing(svg) {
+export function trustedSvg(svg) {
   return policy.createHTML(svg);
 }

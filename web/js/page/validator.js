@@ -1,26 +1,26 @@
-import { ownScript } from "./trusted.js";
+import { scriptUrl } from "./trusted.js";
 
 /** @typedef {import("../worker/protocol.js").Verdict} Verdict */
 
-/** The page counts as loaded without it after this long; it may still come. */
-const START_PATIENCE_MS = 60_000;
+/** Maximum wait before the page counts as loaded without the validator. */
+const START_TIMEOUT_MS = 60_000;
 
-/** A file is handed over unchecked rather than later than this. */
-const PATIENCE_MS = 5000;
+/** After this time, a file is saved unchecked. */
+const TIMEOUT_MS = 5000;
 
-/** Khronos' glTF validator, in a worker of its own. */
+/** Runs Khronos' glTF validator in a worker. */
 export class Validator {
   /** @type {Worker | undefined} */
   #worker;
   /** @type {Map<number, (verdict: Verdict | undefined) => void>} */
-  #waiting = new Map();
+  #pending = new Map();
   #lastId = 0;
 
-  /** Starts it. Resolves when it is there, or when it is clear that it will not be. */
+  /** Starts the worker. Resolves when it is ready or has failed. */
   start() {
     return new Promise((/** @type {(value: void) => void} */ resolve) => {
-      setTimeout(resolve, START_PATIENCE_MS);
-      const worker = new Worker(ownScript("js/worker/validator-worker.js"));
+      setTimeout(resolve, START_TIMEOUT_MS);
+      const worker = new Worker(scriptUrl("js/worker/validator-worker.js"));
       worker.addEventListener("message", ({ data }) => {
         if (data.ready) {
           this.#worker = worker;
@@ -38,7 +38,7 @@ export class Validator {
   }
 
   /**
-   * What it says of a GLB; nothing where it cannot say.
+   * Validates a GLB; undefined if the validator is not available.
    *
    * @param {Uint8Array} bytes
    * @returns {Promise<Verdict | undefined>}
@@ -47,8 +47,8 @@ export class Validator {
     if (!this.#worker) return Promise.resolve(undefined);
     const id = ++this.#lastId;
     return new Promise((resolve) => {
-      this.#waiting.set(id, resolve);
-      setTimeout(() => this.#settle(id, undefined), PATIENCE_MS);
+      this.#pending.set(id, resolve);
+      setTimeout(() => this.#settle(id, undefined), TIMEOUT_MS);
       this.#worker?.postMessage({ id, bytes });
     });
   }
@@ -58,7 +58,7 @@ export class Validator {
    * @param {Verdict | undefined} verdict
    */
   #settle(id, verdict) {
-    this.#waiting.get(id)?.(verdict);
-    this.#waiting.delete(id);
+    this.#pending.get(id)?.(verdict);
+    this.#pending.delete(id);
   }
 }

@@ -1,6 +1,6 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
-import { ownDrawing } from "../page/trusted.js";
+import { trustedSvg } from "../page/trusted.js";
 import { idName } from "../words/names.js";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";
 import { Stopwatch } from "./stopwatch.js";
@@ -153,7 +153,7 @@ function plotOf(run) {
   const words = /** @type {const} */ (["title", "degree", "small", "large"]).map((word) => t(`paper.plot.${word}`));
   const [title = "", degree = "", small = "", large = ""] = words;
   const svg = run.plot(width, height, title, degree, small, large);
-  const picture = new DOMParser().parseFromString(ownDrawing(svg), "image/svg+xml").documentElement;
+  const picture = new DOMParser().parseFromString(trustedSvg(svg), "image/svg+xml").documentElement;
   picture.setAttribute("role", "img");
   return picture;
 }

@@ -2,15 +2,14 @@ import { byId } from "../page/dom.js";
 
 /** @typedef {import("./host.js").Host} Host */
 
-/** A button that is held for longer shows the face before for as long as it is held, in ms. */
+/** Pressing the button for longer than this shows the original while it is held, in ms. */
 const HOLD_MS = 250;
 
-/** As `--wipe-thumb` in stage.css: the handle's middle goes from half of it to half of it before the end, in CSS px. */
+/** Equals `--wipe-thumb` in stage.css. The thumb's centre stays half its width away from both ends, in CSS px. */
 const THUMB_PX = 40;
 
 /**
- * The face as it was found: all of it while B or the button is held, or beside the face as it is now, with an edge between
- * them that can be moved.
+ * Compares with the original: B or a long press shows it in full, a click shows both sides of a movable edge.
  *
  * @param {Host} host
  */
@@ -36,18 +35,18 @@ export function setUpBeforeAfter(host) {
  */
 function setUpButton(hold, wipe) {
   const button = byId("compare", HTMLButtonElement);
-  let wait = 0;
+  let timer = 0;
   let wasHeld = false;
   button.addEventListener("pointerdown", () => {
     wasHeld = false;
-    wait = setTimeout(() => {
+    timer = setTimeout(() => {
       wasHeld = true;
       hold(true);
     }, HOLD_MS);
   });
   for (const end of ["pointerup", "pointerleave", "pointercancel", "blur"]) {
     button.addEventListener(end, () => {
-      clearTimeout(wait);
+      clearTimeout(timer);
       if (wasHeld) hold(false);
     });
   }
@@ -86,7 +85,7 @@ function setUpWipe(host) {
   new ResizeObserver(() => {
     if (!edge.hidden) apply();
   }).observe(host.canvas);
-  // Another face has come, of which nothing is compared yet.
+  // Opening another face ends the comparison.
   host.onChange(({ isWiping }) => {
     if (!isWiping) show(false);
   });

@@ -3,11 +3,11 @@ import { remember, remembered } from "../page/remember.js";
 
 /** @typedef {import("./host.js").Host} Host */
 
-/** The stage holds both from this width on, in CSS px; stage.css says the same. */
-const WIDE = matchMedia("(width >= 1080px)");
+/** Minimum width for both views, in CSS px; same as in stage.css. */
+const WIDE_WINDOW = matchMedia("(width >= 1080px)");
 
 /**
- * The photo beside the face in the round, for as long as the window is wide: a press on it puts it on the stage alone.
+ * Shows the photo next to the 3D face if the window is wide enough. A click on the photo opens it on the stage.
  *
  * @param {Host} host
  */
@@ -17,14 +17,14 @@ export function setUpBeside(host) {
   let isWanted = remembered("beside") === "yes";
   let isPhoto = false;
   const show = () => {
-    const isShown = isWanted && WIDE.matches && !isPhoto && document.body.dataset["state"] === "face";
+    const isShown = isWanted && WIDE_WINDOW.matches && !isPhoto && document.body.dataset["state"] === "face";
     button.setAttribute("aria-pressed", String(isShown));
     if (photo.hidden !== isShown) return;
     photo.hidden = !isShown;
     document.body.toggleAttribute("data-beside", isShown);
-    host.tellPhoto();
+    host.updatePhoto();
   };
-  const want = (/** @type {boolean} */ wanted) => {
+  const setWanted = (/** @type {boolean} */ wanted) => {
     isWanted = wanted;
     remember("beside", wanted ? "yes" : "no");
     show();
@@ -32,10 +32,10 @@ export function setUpBeside(host) {
   button.addEventListener("click", () => {
     const wanted = Boolean(photo.hidden);
     if (wanted) host.act((studio) => studio.choose("scene", "solid"));
-    want(wanted);
+    setWanted(wanted);
   });
   photo.addEventListener("click", () => host.act((studio) => studio.choose("scene", "picture")));
-  WIDE.addEventListener("change", show);
+  WIDE_WINDOW.addEventListener("change", show);
   host.onChange((state) => {
     isPhoto = state.chosen("scene") === "picture";
     show();

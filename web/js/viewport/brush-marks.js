@@ -3,7 +3,7 @@ import { byId } from "../page/dom.js";
 /** @typedef {import("./host.js").Host} Host */
 
 /**
- * What the brush keeps of the photo, tinted over the stage while the brush is in hand, and the brush itself under the pointer.
+ * Tints the areas that the brush protects, and draws the brush under the pointer.
  *
  * @param {Host} host
  */
@@ -14,23 +14,23 @@ export function setUpBrushMarks(host) {
   /** @type {{ x: number, y: number } | undefined} */
   let pointer;
   const draw = () => {
-    const isInHand = radius_px !== undefined;
-    canvas.hidden = !isInHand;
-    if (!isInHand) return;
+    const isActive = radius_px !== undefined;
+    canvas.hidden = !isActive;
+    if (!isActive) return;
     const { width, height } = host.canvas;
     Object.assign(canvas, { width, height });
     const context = canvas.getContext("2d");
     if (!context) return;
     const circles = host.ask((studio) => studio.keptOnCanvas()) ?? new Float32Array();
-    context.fillStyle = hatching(context);
+    context.fillStyle = stripes(context);
     context.beginPath();
-    for (let at = 0; at < circles.length; at += 3) {
-      const [x = 0, y = 0, radius = 0] = circles.subarray(at, at + 3);
+    for (let index = 0; index < circles.length; index += 3) {
+      const [x = 0, y = 0, radius = 0] = circles.subarray(index, index + 3);
       context.moveTo(x + radius, y);
       context.arc(x, y, radius, 0, 2 * Math.PI);
     }
     context.fill();
-    if (pointer) ring(context, pointer, radius_px ?? 0);
+    if (pointer) drawBrush(context, pointer, radius_px ?? 0);
   };
   host.onChange(({ brushPx }) => {
     radius_px = brushPx;
@@ -39,7 +39,7 @@ export function setUpBrushMarks(host) {
   host.onFrame(draw);
   host.canvas.addEventListener("pointermove", (event) => {
     if (radius_px === undefined) return;
-    // To ask where it is lays the page out anew: not with every move of a drag.
+    // offsetX avoids a forced layout on each move.
     pointer = { x: event.offsetX * devicePixelRatio, y: event.offsetY * devicePixelRatio };
     draw();
   });
@@ -50,11 +50,11 @@ export function setUpBrushMarks(host) {
 }
 
 /**
- * Lines aslant, light and dark, are seen on any picture.
+ * Light and dark stripes, visible on any picture.
  *
  * @param {CanvasRenderingContext2D} context
  */
-function hatching(context) {
+function stripes(context) {
   const side = 10;
   const tile = new OffscreenCanvas(side, side);
   const draw = tile.getContext("2d");
@@ -79,7 +79,7 @@ function hatching(context) {
  * @param {{ x: number, y: number }} place
  * @param {number} radius_px CSS px
  */
-function ring(context, { x, y }, radius_px) {
+function drawBrush(context, { x, y }, radius_px) {
   for (const [colour, width] of /** @type {const} */ ([["rgb(0 0 0 / 0.5)", 3], ["rgb(255 255 255)", 1.5]])) {
     context.strokeStyle = colour;
     context.lineWidth = width * devicePixelRatio;

@@ -1,18 +1,17 @@
 import { asPageError } from "../page/page-error.js";
-import { disown, studioModule } from "./studio-module.js";
+import { detach, studioModule } from "./studio-module.js";
 
 /** @typedef {import("./host.js").Host} Host */
 
-/** A browser may take this long to give a WebGL2 context back before the visitor is told. */
-const PATIENCE_MS = 4000;
+/** Time to wait for the browser to restore a WebGL2 context before a notice appears. */
+const RESTORE_TIMEOUT_MS = 4000;
 
 /**
- * Gets a GPU back that was lost to a driver's reset or to another page. Nothing of the user's is on it alone: the studio
- * goes on with the next one where it stopped.
+ * Recovers from a lost GPU, for example after a driver reset. The session is in memory, so a new renderer is enough.
  */
 export class DeviceLossHandler {
-  #isThere = true;
-  #patience = 0;
+  #isAvailable = true;
+  #restoreTimer = 0;
   #host;
   #notices;
 
@@ -23,65 +22,65 @@ export class DeviceLossHandler {
   constructor(host, notices) {
     this.#host = host;
     this.#notices = notices;
-    const { canvas, gone: signal } = host;
-    signal.addEventListener("abort", () => clearTimeout(this.#patience));
+    const { canvas, closed: signal } = host;
+    signal.addEventListener("abort", () => clearTimeout(this.#restoreTimer));
     canvas.addEventListener("webglcontextlost", (event) => {
-      // The browser gives a context back only to those who ask for it so.
+      // Without this, the browser does not restore the context.
       event.preventDefault();
-      this.#lose();
+      this.#markLost();
     }, { signal });
     canvas.addEventListener("webglcontextrestored", () => this.#replace(), { signal });
     this.watch();
   }
 
-  /** Whether there is anything to draw with. */
-  get isThere() {
-    return this.#isThere;
+  /** Whether the GPU is available. */
+  get isAvailable() {
+    return this.#isAvailable;
   }
 
-  /** Sees to the GPU of the host's studio, and no longer to that of the one before. WebGPU gives another device at once. */
+  /** Waits until the current studio's GPU is lost, then replaces it. WebGPU provides another device immediately. */
   async watch() {
-    const { life } = this.#host;
-    this.#found();
+    const { instance } = this.#host;
+    this.#markAvailable();
     await this.#host.ask((studio) => studio.gpuLost());
-    if (this.#isReplaced(life)) return;
-    this.#lose();
+    if (this.#isReplaced(instance)) return;
+    this.#markLost();
     await this.#replace();
   }
 
-  #lose() {
-    this.#isThere = false;
-    clearTimeout(this.#patience);
-    this.#patience = setTimeout(() => this.#tell("it was not given back"), PATIENCE_MS);
+  #markLost() {
+    this.#isAvailable = false;
+    clearTimeout(this.#restoreTimer);
+      this.#restoreTimer = setTimeout(() => this.#report("the browser did not restore the context"), RESTORE_TIMEOUT_MS);
   }
 
-  #found() {
-    this.#isThere = true;
-    clearTimeout(this.#patience);
+  #markAvailable() {
+    this.#isAvailable = true;
+    clearTimeout(this.#restoreTimer);
   }
 
   async #replace() {
-    const { life, canvas } = this.#host;
+    const { instance, canvas } = this.#host;
     try {
       const renderer = await studioModule().createRenderer(canvas);
-      if (this.#isReplaced(life)) return this.#host.life === life ? renderer.free() : disown(renderer);
+      if (this.#isReplaced(instance)) return this.#host.instance === instance ? renderer.free() : detach(renderer);
       this.#host.answer((studio) => studio.useRenderer(renderer));
       this.watch();
       this.#host.requestFrame();
       this.#notices.hide("gpu");
     } catch (error) {
-      if (!this.#isReplaced(life)) this.#tell(asPageError(error).message);
+      if (!this.#isReplaced(instance)) this.#report(asPageError(error).message);
     }
   }
 
-  /** @param {object} life of the studio whose GPU was lost: it may not be touched any more, then */
-  #isReplaced(life) {
-    return life !== this.#host.life || this.#host.gone.aborted;
+  /** Whether another studio has replaced the one that lost its GPU. @param {object} instance */
+  #isReplaced(instance) {
+    return instance !== this.#host.instance || this.#host.closed.aborted;
   }
 
   /** @param {string} message */
-  #tell(message) {
-    clearTimeout(this.#patience);
+  #report(message) {
+    clearTimeout(this.#restoreTimer);
     this.#notices.show({ code: "device-lost", message, hint: "" }, "gpu");
   }
 }

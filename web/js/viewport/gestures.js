@@ -3,14 +3,14 @@
  * @typedef {"x" | "y" | "z"} AxisName
  * @typedef {import("../../wasm/rosto-studio-web.js").PointerName} PointerName
  * @typedef {{ x: number, y: number, button: number }} Press in CSS px of the window
- * @typedef {{ x: number, y: number, apart: number }} Spread the fingers' middle and distance, in CSS px
+ * @typedef {{ x: number, y: number, apart: number }} Spread centre and distance of the fingers, in CSS px
  *
- * @typedef {object} Told places in device pixels of the canvas
+ * @typedef {object} GestureListener positions in device pixels of the canvas
  * @property {(x_px: number, y_px: number) => void} hover
  * @property {() => void} leave
- * @property {() => void} press what is hinted at from now on is what the press does
- * @property {() => void} widened
- * @property {(deed: "drag" | "turn") => void} did
+ * @property {() => void} press
+ * @property {() => void} radiusChanged
+ * @property {(action: "drag" | "turn") => void} gesture
  */
 
 /** A press that moves less than this is a click, in CSS px. */
@@ -18,14 +18,16 @@ const CLICK_SLOP_PX = 4;
 
 const AXIS_KEYS = /** @type {Record<string, AxisName>} */ ({ x: "x", y: "y", z: "z" });
 
-/** One notch of a wheel zooms by about a tenth. */
+/** A wheel notch zooms by about 10%. */
 const ZOOM_PER_WHEEL_PX = 0.001;
 
 /**
- * Turns pointers on the canvas into intents. What lights up under the pointer is what a press takes and a drag moves; a drag
- * that starts beside the face, or with another button, turns it, and with Shift moves it. Two fingers turn, and zoom by
- * their distance; three move. The wheel zooms. While something is dragged, the wheel or a second finger changes how far that
- * reaches. A click picks, with Alt it pins.
+ * Translates pointer events on the canvas into intents:
+ *
+ * - Drag a highlighted point: move it. Wheel or second finger meanwhile: change the influence radius.
+ * - Drag elsewhere, or with another button: turn; with Shift: pan.
+ * - Two fingers: turn and zoom. Three fingers: pan. Wheel: zoom.
+ * - Click: select; with Alt: pin.
  */
 export class Gestures {
   /** @type {Map<number, Press>} */
@@ -33,48 +35,48 @@ export class Gestures {
   /** Whether the press can still become a click. */
   #mayClick = false;
   #moved_px = 0;
-  /** The pointer that has taken hold of something. @type {number | undefined} */
-  #holder;
+  /** Pointer that drags a point. @type {number | undefined} */
+  #grabPointer;
   #host;
-  #told;
+  #listener;
 
   /**
    * @param {Host} host
-   * @param {Told} told
+   * @param {GestureListener} listener
    */
-  constructor(host, told) {
+  constructor(host, listener) {
     this.#host = host;
-    this.#told = told;
+    this.#listener = listener;
     const { canvas } = host;
     canvas.addEventListener("pointerdown", (event) => this.#press(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#release(event));
-    canvas.addEventListener("pointercancel", (event) => this.#lose(event));
-    canvas.addEventListener("pointerleave", () => told.leave());
+    canvas.addEventListener("pointercancel", (event) => this.#cancel(event));
+    canvas.addEventListener("pointerleave", () => listener.leave());
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-    // The middle button would scroll the page.
+    // Prevents autoscroll.
     canvas.addEventListener("mousedown", (event) => event.button === 1 && event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    addEventListener("keydown", (event) => this.#key(event), { capture: true, signal: host.gone });
+    addEventListener("keydown", (event) => this.#key(event), { capture: true, signal: host.closed });
   }
 
   /** @param {PointerEvent} event */
   #press(event) {
     this.#host.canvas.setPointerCapture(event.pointerId);
-    this.#told.press();
+    this.#listener.press();
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
     this.#mayClick = this.#pressed.size === 1 && event.button === 0;
-    // What is being dragged goes on under the first finger.
-    if (this.#pressed.size > 1) return this.#isDragging ? undefined : this.#letGo();
+    // A drag continues with the first finger.
+    if (this.#pressed.size > 1) return this.#isDragging ? undefined : this.#endGrab();
     this.#moved_px = 0;
-    this.#holder = undefined;
-    if (event.button === 0) this.#take(event);
+    this.#grabPointer = undefined;
+    if (event.button === 0) this.#grab(event);
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
     const from = this.#pressed.get(event.pointerId);
-    if (!from) return this.#told.hover(...this.#place(event));
+    if (!from) return this.#listener.hover(...this.#position(event));
     const before = spreadOf(this.#pressed);
     this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: from.button });
     const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
@@ -82,8 +84,8 @@ export class Gestures {
     if (this.#moved_px < CLICK_SLOP_PX) return;
     this.#mayClick = false;
     const after = spreadOf(this.#pressed);
-    if (this.#holder === event.pointerId) this.#drag(event);
-    else if (this.#holder !== undefined) this.#widen(after.apart / before.apart);
+    if (this.#grabPointer === event.pointerId) this.#drag(event);
+    else if (this.#grabPointer !== undefined) this.#scaleRadius(after.apart / before.apart);
     else if (this.#pressed.size > 1) this.#pinch(before, after);
     else this.#turn(dx, dy, event.shiftKey);
   }
@@ -93,26 +95,26 @@ export class Gestures {
     this.#pressed.delete(event.pointerId);
     const isClick = this.#mayClick;
     this.#mayClick = false;
-    // The finger that changed how far the drag reaches.
-    if (this.#holder !== undefined && this.#holder !== event.pointerId) return;
-    this.#holder = undefined;
+    // Ends a change of the radius; the drag continues.
+    if (this.#grabPointer !== undefined && this.#grabPointer !== event.pointerId) return;
+    this.#grabPointer = undefined;
     this.#host.act((studio) => studio.release());
-    const place = this.#place(event);
+    const place = this.#position(event);
     if (isClick) this.#host.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
-    // A mouse rests where it was let go; a finger is gone.
-    if (event.pointerType !== "touch") this.#told.hover(...place);
+    // A mouse stays where it is; a finger is gone.
+    if (event.pointerType !== "touch") this.#listener.hover(...place);
   }
 
   /** @param {PointerEvent} event */
-  #lose(event) {
+  #cancel(event) {
     this.#pressed.delete(event.pointerId);
     this.#mayClick = false;
     if (this.#isDragging) this.#host.act((studio) => studio.cancel());
-    this.#letGo();
+    this.#endGrab();
   }
 
-  #letGo() {
-    this.#holder = undefined;
+  #endGrab() {
+    this.#grabPointer = undefined;
     this.#host.act((studio) => studio.release());
   }
 
@@ -120,27 +122,23 @@ export class Gestures {
     return this.#host.ask((studio) => studio.dragging) ?? false;
   }
 
-  /**
-   * Takes hold of what lies under the pointer, if anything does.
-   *
-   * @param {PointerEvent} event
-   */
-  #take(event) {
+  /** Grabs the point under the pointer, if there is one. @param {PointerEvent} event */
+  #grab(event) {
     const pointer = /** @type {PointerName} */ (event.pointerType);
-    const place = this.#place(event);
-    const hasTaken = this.#host.ask((studio) => studio.press(...place, pointer)) ?? false;
-    if (hasTaken) this.#holder = event.pointerId;
+    const place = this.#position(event);
+    const hasGrabbed = this.#host.ask((studio) => studio.press(...place, pointer)) ?? false;
+    if (hasGrabbed) this.#grabPointer = event.pointerId;
     this.#host.requestFrame();
   }
 
   /** @param {PointerEvent} event */
   #drag(event) {
-    const place = this.#place(event);
+    const place = this.#position(event);
     this.#host.act((studio) => studio.drag(...place, event.shiftKey));
-    this.#told.did("drag");
+    this.#listener.gesture("drag");
   }
 
-  /** @param {KeyboardEvent} event while something is dragged: along an axis, or back to where it was */
+  /** While dragging, X, Y and Z restrict the axis and Escape cancels. @param {KeyboardEvent} event */
   #key(event) {
     if (!this.#isDragging || event.ctrlKey || event.metaKey) return;
     const axis = AXIS_KEYS[event.key.toLowerCase()];
@@ -158,26 +156,26 @@ export class Gestures {
     event.preventDefault();
     const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
     const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
-    if (this.#isDragging) this.#widen(1 / factor);
+    if (this.#isDragging) this.#scaleRadius(1 / factor);
     else this.#host.act((studio) => studio.zoom(factor));
   }
 
-  /** @param {number} factor by which a drag reaches further */
-  #widen(factor) {
+  /** @param {number} factor scale of the influence radius */
+  #scaleRadius(factor) {
     if (!Number.isFinite(factor) || factor <= 0) return;
     this.#host.act((studio) => studio.widen(factor));
-    this.#told.widened();
+    this.#listener.radiusChanged();
   }
 
   /**
    * @param {number} dx in CSS px
    * @param {number} dy
-   * @param {boolean} moves rather than turns
+   * @param {boolean} moves pan instead of turn
    */
   #turn(dx, dy, moves) {
     const ratio = devicePixelRatio;
     this.#host.act((studio) => (moves ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
-    if (!moves) this.#told.did("turn");
+    if (!moves) this.#listener.gesture("turn");
   }
 
   /**
@@ -190,12 +188,12 @@ export class Gestures {
   }
 
   /**
-   * Where the pointer is on the canvas, in its device pixels.
+   * Pointer position in device pixels of the canvas.
    *
    * @param {PointerEvent} event
    * @returns {[number, number]}
    */
-  #place(event) {
+  #position(event) {
     const { canvas } = this.#host;
     const box = canvas.getBoundingClientRect();
     return [
@@ -206,7 +204,7 @@ export class Gestures {
 }
 
 /**
- * The middle of all fingers, and how far the first two are apart.
+ * Centre of all fingers and distance of the first two.
  *
  * @param {Map<number, Press>} pressed
  * @returns {Spread}

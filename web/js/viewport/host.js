@@ -1,7 +1,7 @@
 import { asPageError } from "../page/page-error.js";
 import { afterNextFrame, nextTask } from "../page/tasks.js";
 import { DeviceLossHandler } from "./device-loss.js";
-import { disown, isTrap, noteTrap, openStudio, restarting, restartStudio } from "./studio-module.js";
+import { detach, isTrap, markTrapped, openStudio, restartingError, restartStudio } from "./studio-module.js";
 import { watchWebGl } from "./webgl-errors.js";
 
 /**
@@ -10,9 +10,9 @@ import { watchWebGl } from "./webgl-errors.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioTick} StudioTick
  * @typedef {import("../../wasm/rosto-studio-web.js").ChangeName} ChangeName
  *
- * @typedef {object} Notices where it is said what went wrong
+ * @typedef {object} Notices
  * @property {(thrown: unknown, owner: "studio" | "gpu") => void} show
- * @property {(owner: "studio" | "gpu") => void} hide takes away what that owner has shown, and nothing else
+ * @property {(owner: "studio" | "gpu") => void} hide hides that owner's notice only
  *
  * @typedef {object} Picture straight RGBA
  * @property {Uint8Array} picture
@@ -22,28 +22,27 @@ import { watchWebGl } from "./webgl-errors.js";
 
 /**
  * @template T
- * @typedef {object} Lease something of the module's that outlives a task
- * @property {<A>(question: (object: T) => A) => A} ask throws once the module has trapped
+ * @typedef {object} Lease wasm object that outlives a task
+ * @property {<A>(question: (object: T) => A) => A} ask throws after a trap of the module
  * @property {() => void} end
  */
 
-/** A module that trapped so many times within a minute is not started again. */
-const MOST_RESTARTS = 3;
+/** Maximum number of restarts per minute. */
+const MAX_RESTARTS = 3;
 const RESTARTS_WITHIN_MS = 60_000;
 
 /**
- * Holds the studio, which holds the user's work, and tells the page when anything about it has changed. It draws
- * only in an animation frame, and asks for one only when there is something new to see. A studio whose module traps is
- * replaced by a new one. Nobody else has the studio: `act`, `ask` and `answer` lend it for the length of a call, and only
- * while its module is sound.
+ * Owns the studio, and with it the user's work, and notifies the page of changes. Draws in animation frames, and only
+ * if something has changed. Replaces the studio after a trap of its module. Other code reaches the studio through
+ * `act`, `ask` and `answer`, for the length of one call.
  */
 export class Host {
-  #frameIsComing = false;
+  #frameIsPending = false;
   #isBroken = false;
   #studio;
-  /** Another one from the moment on that the module traps. */
-  #life = {};
-  /** @type {number[]} when the module was started again, in ms */
+  /** Identifies the studio: replaced when its module traps. */
+  #instance = {};
+  /** @type {number[]} times of the restarts, in ms */
   #restarts = [];
   #gpu;
   /** @type {Set<(state: StudioState) => void>} */
@@ -54,14 +53,14 @@ export class Host {
   #frameListeners = new Set();
   /** @type {Set<() => void>} */
   #photoListeners = new Set();
-  #photoIsComing = false;
-  #gone = new AbortController();
+  #photoIsPending = false;
+  #closed = new AbortController();
   #notices;
   /** @type {Set<() => Promise<void>>} */
   #restartListeners = new Set();
 
   /**
-   * Opens a studio on the canvas; throws `{code: "no-webgl", …}` where the browser cannot draw in 3D.
+   * Opens a studio on the canvas. Throws `{code: "no-webgl", …}` if the browser cannot draw in 3D.
    *
    * @param {HTMLCanvasElement} canvas
    * @param {Notices} notices
@@ -70,10 +69,10 @@ export class Host {
     return new Host(canvas, await openStudio(canvas), notices);
   }
 
-  /** All that are open: they share the module, and its fate. @type {Set<Host>} */
+  /** Open hosts, which share one module. @type {Set<Host>} */
   static #open = new Set();
-  /** Traps that were seen to: some are reported by several. @type {WeakSet<Error>} */
-  static #seen = new WeakSet();
+  /** Handled traps; several hosts may report the same one. @type {WeakSet<Error>} */
+  static #handledTraps = new WeakSet();
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -89,29 +88,29 @@ export class Host {
     Host.#open.add(this);
   }
 
-  /** Aborted when the host is closed. */
-  get gone() {
-    return this.#gone.signal;
+  /** Aborted when the host closes. */
+  get closed() {
+    return this.#closed.signal;
   }
 
-  /** The same object for as long as the studio is the same one. */
-  get life() {
-    return this.#life;
+  /** The same object until a restart replaces the studio. */
+  get instance() {
+    return this.#instance;
   }
 
-  /** Gives the studio's memory and its GPU back; the canvas is of no further use. */
+  /** Frees the studio and its GPU resources. The canvas cannot be used again. */
   close() {
-    if (this.gone.aborted) return;
+    if (this.closed.aborted) return;
     const isFree = !this.#isBroken;
     this.#isBroken = true;
-    this.#gone.abort();
+    this.#closed.abort();
     Host.#open.delete(this);
     if (isFree) this.#studio.free();
     this.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
   /**
-   * Carries an intent out and tells who shows what it has changed; what goes wrong is shown.
+   * Runs an intent, notifies the listeners of the change, and shows errors.
    *
    * @param {(studio: Studio) => ChangeName | void} intent
    */
@@ -125,7 +124,7 @@ export class Host {
   }
 
   /**
-   * The same, but what goes wrong is thrown.
+   * Like {@link act}, but throws errors.
    *
    * @param {(studio: Studio) => ChangeName | void} intent
    */
@@ -133,12 +132,12 @@ export class Host {
     const changed = this.answer(intent);
     if (changed !== "nothing") this.requestFrame();
     if (changed === "document") this.announce();
-    if (changed === "tick") this.#tellTick();
-    if (changed === "document" || changed === "tick") this.tellPhoto();
+    if (changed === "tick") this.#notifyTick();
+    if (changed === "document" || changed === "tick") this.updatePhoto();
   }
 
   /**
-   * What the studio answers; nothing while it cannot.
+   * Returns the studio's answer; undefined after an error or during a restart.
    *
    * @template T
    * @param {(studio: Studio) => T} question
@@ -155,36 +154,36 @@ export class Host {
   }
 
   /**
-   * What the studio answers; `{code: "restarting", …}` is thrown while it cannot, and so is what goes wrong.
+   * Returns the studio's answer. Throws its errors, and `{code: "restarting", …}` during a restart.
    *
    * @template T
    * @param {(studio: Studio) => T} question
    * @returns {T}
    */
   answer(question) {
-    if (this.#isBroken) throw restarting();
+    if (this.#isBroken) throw restartingError();
     try {
       return question(this.#studio);
     } catch (error) {
-      // At once: whoever is next must not get into the module any more.
+      // Immediately, so that no other caller enters the module.
       if (isTrap(error)) this.fail(error);
       throw error;
     }
   }
 
   /**
-   * Has the studio draw a picture, and takes its pixels.
+   * Draws a picture and returns its pixels.
    *
-   * @param {(studio: Studio) => ReturnType<Studio["snapshot"]>} look
+   * @param {(studio: Studio) => ReturnType<Studio["snapshot"]>} draw
    * @returns {Promise<Picture>}
    */
-  async picture(look) {
-    const life = this.#life;
+  async picture(draw) {
+    const instance = this.#instance;
     const check = watchWebGl(this.canvas);
-    const snapshot = await this.answer(look);
-    if (life !== this.#life) {
-      disown(snapshot);
-      throw restarting();
+    const snapshot = await this.answer(draw);
+    if (instance !== this.#instance) {
+      detach(snapshot);
+      throw restartingError();
     }
     return this.answer(() => {
       const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
@@ -196,25 +195,25 @@ export class Host {
   }
 
   /**
-   * Something that the studio makes and that is asked more than once.
+   * Wraps a wasm object that is used in several tasks.
    *
    * @template {{ free: () => void }} T
    * @param {(studio: Studio) => T} make
    * @returns {Lease<T>}
    */
   lease(make) {
-    const [object, life] = [this.answer(make), this.#life];
+    const [object, instance] = [this.answer(make), this.#instance];
     return {
       ask: (question) => {
-        if (life !== this.#life) throw restarting();
+        if (instance !== this.#instance) throw restartingError();
         return this.answer(() => question(object));
       },
-      end: () => (life === this.#life ? object.free() : disown(object)),
+      end: () => (instance === this.#instance ? object.free() : detach(object)),
     };
   }
 
   /**
-   * What is taken out of the state; nothing while there is none.
+   * Reads from the state; undefined after an error or during a restart.
    *
    * @template T
    * @param {(state: StudioState, studio: Studio) => T} take
@@ -223,14 +222,14 @@ export class Host {
   read(take) {
     return this.ask((studio) => {
       const state = studio.state();
-      const taken = take(state, studio);
-      this.#giveBack(state);
-      return taken;
+      const value = take(state, studio);
+      this.#release(state);
+      return value;
     });
   }
 
   /**
-   * Shows what went wrong with the studio; one whose module trapped is replaced.
+   * Shows an error of the studio. After a trap, restarts all hosts.
    *
    * @param {unknown} error
    */
@@ -238,62 +237,58 @@ export class Host {
     if (!isTrap(error)) {
       const isLate = asPageError(error).code === "restarting";
       if (isLate === this.#isBroken) this.#notices.show(error, "studio");
-    } else if (!Host.#seen.has(error)) {
-      Host.#seen.add(error);
-      noteTrap();
+    } else if (!Host.#handledTraps.has(error)) {
+      Host.#handledTraps.add(error);
+      markTrapped();
       for (const host of Host.#open) host.#restart(error);
     }
   }
 
-  /**
-   * What a listener was given may have been asked when the module trapped.
-   *
-   * @param {{ free: () => void }} object
-   */
-  #giveBack(object) {
-    if (this.#isBroken) disown(object);
+  /** Frees an object, unless its module has trapped meanwhile. @param {{ free: () => void }} object */
+  #release(object) {
+    if (this.#isBroken) detach(object);
     else object.free();
   }
 
-  /** @param {(state: StudioState) => void} listener is told whenever the document or a choice has changed */
+  /** @param {(state: StudioState) => void} listener called after each change of the document or of a choice */
   onChange(listener) {
     this.#changeListeners.add(listener);
   }
 
-  /** @param {(tick: StudioTick) => void} listener is told that as well, and each tick of an edit in progress */
+  /** @param {(tick: StudioTick) => void} listener called after each change, and for each tick of an edit in progress */
   onTick(listener) {
     this.#tickListeners.add(listener);
   }
 
-  /** @param {() => void} listener runs after each frame drawn */
+  /** @param {() => void} listener called after each drawn frame */
   onFrame(listener) {
     this.#frameListeners.add(listener);
   }
 
-  /** @param {() => void} listener runs when the photo has followed the edits, once a frame at most */
+  /** @param {() => void} listener called when the photo has followed the edits, at most once per frame */
   onPhoto(listener) {
     this.#photoListeners.add(listener);
   }
 
-  /** @param {() => Promise<void>} listener brings the work back after the studio was replaced by an empty one */
+  /** @param {() => Promise<void>} listener restores the work after a restart */
   onRestart(listener) {
     this.#restartListeners.add(listener);
   }
 
-  /** Tells every listener how things stand. */
+  /** Notifies all change and tick listeners. */
   announce() {
     this.read((state) => {
       for (const listener of this.#changeListeners) this.ask(() => listener(state));
     });
-    this.#tellTick();
+    this.#notifyTick();
   }
 
-  /** Shows the photo as it follows the edits: what asks for a factorisation, and who draws it elsewhere, in tasks of their own. */
-  async tellPhoto() {
-    if (this.#photoIsComing) return;
-    this.#photoIsComing = true;
+  /** Updates the edited photo. The factorisation and the listeners run in separate tasks to keep the page responsive. */
+  async updatePhoto() {
+    if (this.#photoIsPending) return;
+    this.#photoIsPending = true;
     await afterNextFrame();
-    this.#photoIsComing = false;
+    this.#photoIsPending = false;
     if (this.ask((studio) => studio.photoIsDue)) this.act((studio) => studio.followPhoto());
     this.requestFrame();
     await nextTask();
@@ -302,24 +297,24 @@ export class Host {
 
   /** Draws in the next animation frame. */
   requestFrame() {
-    if (this.#frameIsComing) return;
-    this.#frameIsComing = true;
+    if (this.#frameIsPending) return;
+    this.#frameIsPending = true;
     requestAnimationFrame((time_ms) => {
-      this.#frameIsComing = false;
+      this.#frameIsPending = false;
       this.#draw(time_ms);
     });
   }
 
-  #tellTick() {
+  #notifyTick() {
     const tick = this.ask((studio) => studio.tick());
     if (!tick) return;
     for (const listener of this.#tickListeners) this.ask(() => listener(tick));
-    this.#giveBack(tick);
+    this.#release(tick);
   }
 
   /** @param {number} time_ms */
   #draw(time_ms) {
-    if (!this.#gpu.isThere || this.#isBroken) return;
+    if (!this.#gpu.isAvailable || this.#isBroken) return;
     try {
       const wantsMore = this.answer((studio) => studio.draw(time_ms));
       for (const listener of this.#frameListeners) listener();
@@ -329,30 +324,26 @@ export class Host {
     }
   }
 
-  /**
-   * After a trap the module's memory is in an unknown state, and none of its methods may be called again.
-   *
-   * @param {Error} trap
-   */
+  /** Starts a new instance: after a trap the module's memory may be corrupt. @param {Error} trap */
   async #restart(trap) {
     if (this.#isBroken) return;
     this.#isBroken = true;
-    this.#life = {};
-    disown(this.#studio);
-    console.warn("the module is started again:", trap);
+    this.#instance = {};
+    detach(this.#studio);
+    console.warn("restarting the module after a trap:", trap);
     const now_ms = performance.now();
     this.#restarts = [...this.#restarts.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];
     try {
-      if (this.#restarts.length > MOST_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
+      if (this.#restarts.length > MAX_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
       const studio = await restartStudio(this.canvas);
-      if (this.gone.aborted) return studio.free();
+      if (this.closed.aborted) return studio.free();
       this.#studio = studio;
       this.#isBroken = false;
       this.#gpu.watch();
       this.#fitSize?.();
       for (const listener of this.#restartListeners) await listener();
       this.announce();
-      this.tellPhoto();
+      this.updatePhoto();
       this.#notices.hide("gpu");
       this.#notices.show({ code: "restarted", message: trap.message, hint: "" }, "studio");
     } catch (error) {
@@ -371,19 +362,19 @@ export class Host {
       this.#fitSize();
     });
     observer.observe(this.canvas);
-    this.gone.addEventListener("abort", () => observer.disconnect());
+    this.closed.addEventListener("abort", () => observer.disconnect());
   }
 }
 
 /**
- * The canvas's size in device pixels, exact where the browser tells it.
+ * Size of the canvas in device pixels; exact if the browser reports it.
  *
  * @param {ResizeObserverEntry} entry
  */
 function deviceSize(entry) {
   const about = { width_px: entry.contentRect.width * devicePixelRatio, height_px: entry.contentRect.height * devicePixelRatio };
   const exact = entry.devicePixelContentBoxSize?.[0];
-  // It corrects a rounding; where it says something else altogether, the pixels it counts are not the page's.
+  // Only corrects rounding: a larger difference means that the browser counts other pixels.
   const isCorrection = exact && Math.abs(exact.inlineSize - about.width_px) < 2;
   const width_px = isCorrection ? exact.inlineSize : about.width_px;
   const height_px = isCorrection ? exact.blockSize : about.height_px;

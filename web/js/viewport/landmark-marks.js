@@ -7,79 +7,79 @@ import { placeTag } from "./tag-place.js";
  * @typedef {import("./host.js").Host} Host
  * @typedef {import("./host.js").StudioState} StudioState
  *
- * @typedef {object} Around what else shows what the pointer does
- * @property {HTMLOutputElement} tag that has the landmark's name
- * @property {import("../photo/photo-overlay.js").PhotoOverlay} [overlay] the photo with its landmarks
- * @property {(deed: "drag" | "turn") => void} [did]
+ * @typedef {object} MarkOptions
+ * @property {HTMLOutputElement} tag shows the landmark's name
+ * @property {import("../photo/photo-overlay.js").PhotoOverlay} [overlay] photo with landmarks
+ * @property {(action: "drag" | "turn") => void} [onGesture]
  * @property {(text: string) => void} [announce]
  */
 
-/** Keeps the landmark's name beside it, and the same landmark marked on the photo, if that is shown, and on the mesh. */
+/** Shows the name of the selected or hovered landmark, and marks it on the photo and on the mesh. */
 export class LandmarkMarks {
   #tag;
-  #around;
+  #options;
   /** @type {number | undefined} */
   #selected;
   /** @type {number | undefined} */
   #hovered;
-  /** Where the pointer rests over the view, while nothing is pressed. @type {[number, number] | undefined} */
-  #resting_px;
-  /** How far an edit reaches, in mm. */
+  /** Pointer position over the view while nothing is pressed. @type {[number, number] | undefined} */
+  #pointer_px;
+  /** Influence radius, in mm. */
   #radius_mm = 0;
-  /** Whether that was changed by the drag that goes on. */
-  #isWidened = false;
-  /** Whether what is dragged goes sideways without the mirror. */
+  /** Whether the current drag has changed the radius. */
+  #isRadiusChanged = false;
+  /** Whether the dragged point leaves the symmetry plane. */
   #leavesPlane = false;
-  /** Whether it is dragged further than it goes. */
+  /** Whether the drag exceeds the edit's limit. */
   #isAtEnd = false;
-  /** Why it cannot be moved. @type {string | undefined} */
+  /** Why the point cannot be moved. @type {string | undefined} */
   #refusal;
 
   /**
    * @param {Host} host
-   * @param {Around} around
+   * @param {MarkOptions} options
    */
-  constructor(host, around) {
+  constructor(host, options) {
     this.host = host;
-    this.#around = around;
-    this.#tag = around.tag;
-    host.onChange((state) => this.#follow(state));
+    this.#options = options;
+    this.#tag = options.tag;
+    host.onChange((state) => this.#update(state));
     host.onTick(({ isAtEnd }) => this.#setAtEnd(isAtEnd));
     host.onFrame(() => {
-      this.#lookAgain();
+      this.#repeatHitTest();
       this.#place();
     });
     new Gestures(host, {
-      hover: (x_px, y_px) => this.#point(x_px, y_px),
+      hover: (x_px, y_px) => this.#hover(x_px, y_px),
       leave: () => {
-        this.#resting_px = undefined;
-        this.#pointAt(undefined);
+        this.#pointer_px = undefined;
+        this.#highlight(undefined);
       },
       press: () => {
-        this.#resting_px = undefined;
+        this.#pointer_px = undefined;
       },
-      widened: () => {
-        this.#isWidened = true;
+      radiusChanged: () => {
+        this.#isRadiusChanged = true;
         this.#write();
       },
-      did: (deed) => around.did?.(deed),
+      gesture: (action) => options.onGesture?.(action),
     });
-    around.overlay?.listen({
-      hover: (landmark) => this.#pointAt(landmark),
+    options.overlay?.listen({
+      hover: (landmark) => this.#highlight(landmark),
       choose: (landmark) => host.act((studio) => studio.selectAt(landmark)),
       press: () => host.act((studio) => studio.choose("scene", "picture")),
     });
   }
 
   /** @param {StudioState} state */
-  #follow({ selected, isSliding, radiusMm, leavesPlane, refusal }) {
-    // A ready-made slider moves something else.
+  #update({ selected, isSliding, radiusMm, leavesPlane, refusal }) {
+    // A proportion slider moves other points.
     this.#selected = isSliding ? undefined : selected;
     this.#radius_mm = radiusMm;
     this.#leavesPlane = leavesPlane;
     this.#refusal = refusal;
-    if (!this.host.ask((studio) => studio.dragging)) this.#isWidened = false;
-    // What was under the pointer may be another one by now, or none.
+    if (!this.host.ask((studio) => studio.dragging)) this.#isRadiusChanged = false;
+    // The change may have moved another point under the pointer.
     this.#hovered = undefined;
     this.#write();
   }
@@ -89,69 +89,65 @@ export class LandmarkMarks {
     if (isAtEnd === this.#isAtEnd) return;
     this.#isAtEnd = isAtEnd;
     this.#write();
-    if (isAtEnd) this.#around.announce?.(this.#tag.value);
+    if (isAtEnd) this.#options.announce?.(this.#tag.value);
   }
 
-  /**
-   * Marks a landmark that the pointer is over on the photo, or nowhere.
-   *
-   * @param {number | undefined} landmark
-   */
-  #pointAt(landmark) {
+  /** Highlights a landmark hovered on the photo. @param {number | undefined} landmark */
+  #highlight(landmark) {
     this.host.act((studio) => studio.pointAt(landmark));
-    this.#name(landmark);
+    this.#showName(landmark);
   }
 
   /**
    * @param {number} x_px
    * @param {number} y_px
    */
-  #point(x_px, y_px) {
-    this.#resting_px = [x_px, y_px];
-    this.#light(this.host.ask((studio) => studio.hover(x_px, y_px)));
+  #hover(x_px, y_px) {
+    this.#pointer_px = [x_px, y_px];
+    this.#setHovered(this.host.ask((studio) => studio.hover(x_px, y_px)));
     this.host.requestFrame();
   }
 
-  /** The face may have moved below a pointer that rests: what lights up is what a press would take now. */
-  #lookAgain() {
-    const place = this.#resting_px;
+  /** Repeats the hit test after each frame: the face may have moved under a resting pointer. */
+  #repeatHitTest() {
+    const place = this.#pointer_px;
     if (!place) return;
     const vertex = this.host.ask((studio) => studio.hover(...place));
     if (vertex === this.#hovered) return;
-    this.#light(vertex);
+    this.#setHovered(vertex);
     this.host.requestFrame();
   }
 
-  /** @param {number | undefined} vertex below the pointer */
-  #light(vertex) {
+  /** @param {number | undefined} vertex vertex under the pointer */
+  #setHovered(vertex) {
     this.host.canvas.classList.toggle("over-landmark", vertex !== undefined);
-    this.#name(vertex);
+    this.#showName(vertex);
   }
 
   /** @param {number | undefined} landmark */
-  #name(landmark) {
+  #showName(landmark) {
     if (landmark === this.#hovered) return;
     this.#hovered = landmark;
     this.#write();
   }
 
   #write() {
-    this.#around.overlay?.mark(this.#selected, this.#hovered);
+    this.#options.overlay?.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
     const name = named === undefined ? undefined : this.host.ask((studio) => announceOnce(studio.targetAt(named)));
     this.#tag.hidden = name === undefined;
     if (name === undefined) return;
-    this.#tag.value = this.#tell(name);
+    this.#tag.value = this.#tagText(name);
     this.#place();
   }
 
-  /** @param {string} name of what is dragged, or pointed at */
-  #tell(name) {
+  /** @param {string} name name of the dragged or hovered point */
+  #tagText(name) {
     const isDragging = this.host.ask((studio) => studio.dragging) ?? false;
     if (!isDragging) return name;
     if (this.#refusal) return t("landmark.refuses", { name });
     if (this.#isAtEnd) return t("landmark.at-end", { name });
-    if (this.#isWidened) return t("landmark.reach", { name, mm: formatNumber(this.#radius_mm, 0) });
+    if (this.#isRadiusChanged) return t("landmark.reach", { name, mm: formatNumber(this.#radius_mm, 0) });
     return this.#leavesPlane ? t("landmark.alone", { name }) : name;
   }
 

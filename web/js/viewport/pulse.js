@@ -3,11 +3,11 @@ import { onHint } from "../page/hint.js";
 
 /** @typedef {import("./host.js").Host} Host */
 
-/** The landmark that a newcomer is told to drag. */
+/** The landmark that the first hint suggests dragging. */
 const NOSE_TIP = 1;
 
 /**
- * A dot that pulses where to drag, until something was dragged.
+ * Shows a pulsing dot on the nose until the user has dragged something.
  *
  * @param {Host} host
  */
@@ -26,11 +26,11 @@ export function setUpPulse(host) {
     dot.hidden = !isWanted || isSelected;
     place();
   };
-  onHint((deed) => {
-    isWanted = deed === "drag";
+  onHint((action) => {
+    isWanted = action === "drag";
     show();
   });
-  // What is selected has a mark of its own.
+  // The selection has its own marker.
   host.onChange(({ selected }) => {
     isSelected = selected !== undefined;
     show();

@@ -3,8 +3,7 @@ import { byId, isTyping } from "../page/dom.js";
 /** @typedef {import("./host.js").Host} Host */
 
 /**
- * The photo on the stage or the face in the round: P goes from one to the other, wherever the switch itself is out of reach.
- * What is there stands in `data-scene` of the body.
+ * Switches the stage between photo and 3D face by the P key or the photo's thumbnail. Sets the body's `data-scene`.
  *
  * @param {Host} host
  */

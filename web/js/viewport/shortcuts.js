@@ -2,7 +2,7 @@ import { isTyping } from "../page/dom.js";
 
 /** @typedef {import("./host.js").Host} Host */
 
-/** One press of an arrow key turns or moves by this much, in CSS px of a drag. */
+/** Drag distance that corresponds to one press of an arrow key, in CSS px. */
 const STEP_PX = 24;
 const ZOOM_STEP = 1.1;
 
@@ -10,19 +10,19 @@ const ZOOM_STEP = 1.1;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 /**
- * The keys of the 3D view, while the canvas has the focus.
+ * Sets up the keys of the 3D view, active while the canvas has the focus.
  *
  * @param {Host} host
- * @param {(deed: "turn") => void} [did]
+ * @param {(action: "turn") => void} [onGesture]
  */
-export function setUpViewKeys(host, did) {
+export function setUpViewKeys(host, onGesture) {
   host.canvas.addEventListener("keydown", (event) => {
-    if (moveByArrow(host, event, did) || chooseView(host, event) || letGo(host, event)) event.preventDefault();
+    if (moveByArrow(host, event, onGesture) || chooseView(host, event) || clearSelection(host, event)) event.preventDefault();
   });
 }
 
 /**
- * Undo and redo from anywhere but a field that is being typed in.
+ * Sets up undo and redo on the whole page, except while typing.
  *
  * @param {{ undo: () => void, redo: () => void, cancel: () => void }} actions
  */
@@ -41,17 +41,17 @@ export function setUpEditKeys(actions) {
 /**
  * @param {Host} host
  * @param {KeyboardEvent} event
- * @param {(deed: "turn") => void} [did]
+ * @param {(action: "turn") => void} [onGesture]
  */
-function moveByArrow(host, event, did) {
+function moveByArrow(host, event, onGesture) {
   const arrow = ARROWS[event.key];
   if (!arrow) return false;
-  const [dx, dy] = arrow.map((way) => way * STEP_PX * devicePixelRatio);
+  const [dx, dy] = arrow.map((direction) => direction * STEP_PX * devicePixelRatio);
   if (dx === undefined || dy === undefined) return false;
   host.act((studio) => {
     if (event.altKey) return studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
     if (event.shiftKey && (event.ctrlKey || event.metaKey)) return studio.pan(dx, dy);
-    did?.("turn");
+    onGesture?.("turn");
     return studio.orbit(dx, dy);
   });
   return true;
@@ -71,12 +71,12 @@ function chooseView(host, event) {
 }
 
 /**
- * Lets go of what is in hand; a drag keeps Escape to itself.
+ * Escape clears the selection. During a drag, it cancels the drag instead.
  *
  * @param {Host} host
  * @param {KeyboardEvent} event
  */
-function letGo(host, event) {
+function clearSelection(host, event) {
   if (event.key !== "Escape") return false;
   host.act((studio) => studio.select());
   return true;

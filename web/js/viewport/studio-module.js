@@ -1,94 +1,79 @@
 import * as forWebGpu from "../../wasm/rosto-studio-web.js";
 import { filesBase } from "../files.js";
-import { builtModule } from "../page/built.js";
+import { verifiedModule } from "../page/integrity.js";
 import { asPageError } from "../page/page-error.js";
 
 /**
- * The page's module is built twice: for WebGPU, and for WebGL2 as a larger one, which only browsers without WebGPU
- * download. Both have the same face to the page.
+ * The page's module has two builds: one for WebGPU, and a larger one for WebGL2, which only browsers without WebGPU
+ * download. Both export the same API.
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
  * @typedef {(from: { module_or_path: WebAssembly.Module }) => Promise<unknown>} Instantiate
  * @typedef {Pick<typeof forWebGpu, "createRenderer" | "FileChoices" | "reopenGlb" | "reopenProject" | "sniffFile" | "solidRangeMm" | "start" | "usualDensity"> & { default: Instantiate }} StudioModule
  */
 
-/** What keeps a browser from WebGPU; its canvas is still free then. */
-const WITHOUT_WEBGPU = new Set(["no-webgpu", "no-adapter", "no-device"]);
+/** Errors after which the canvas is still free for WebGL2. */
+const NO_WEBGPU_CODES = new Set(["no-webgpu", "no-adapter", "no-device"]);
 
 /** @type {StudioModule} */
-let inUse = forWebGpu;
-/**
- * Fetched and compiled once, for as many instances as there will be.
- *
- * @type {WebAssembly.Module | undefined}
- */
+let current = forWebGpu;
+/** Compiled once, for all instances. @type {WebAssembly.Module | undefined} */
 let compiled;
-/** As many instances in a row are at hand without a network. */
+/** Number of restarts that work without a network. */
 const SPARES = 3;
-/**
- * The scripts of the module once more, each as new as on the first day; fetched before they are needed.
- *
- * @type {Promise<StudioModule>[]}
- */
+/** Fresh copies of the module's script, fetched in advance. @type {Promise<StudioModule>[]} */
 const spares = [];
 let spareCount = 0;
 
-/** Whether the module in use has trapped and no other has come yet. */
+/** Whether the current module has trapped and no new instance exists yet. */
 let hasTrapped = false;
 
-/**
- * The module that the studio runs in; whatever else is asked of the module is asked of this one. After a trap
- * `{code: "restarting", …}` is thrown until another instance is there.
- */
+/** Module of the current instance. Throws `{code: "restarting", …}` between a trap and the next instance. */
 export function studioModule() {
-  if (hasTrapped) throw restarting();
-  return inUse;
+  if (hasTrapped) throw restartingError();
+  return current;
 }
 
-/** From now on nothing is asked of the module in use. */
-export function noteTrap() {
+/** Blocks calls into the current module from now on. */
+export function markTrapped() {
   hasTrapped = true;
 }
 
-/** What is thrown to whoever asks between a trap and the next instance. */
-export function restarting() {
-  return { code: "restarting", message: "the module is being started again", hint: "" };
+/** The error thrown between a trap and the next instance. */
+export function restartingError() {
+  return { code: "restarting", message: "the module is restarting", hint: "" };
 }
 
-/**
- * Gives back what was made for one call.
- *
- * @param {{ free: () => void }} object
- */
+/** Frees a wasm object, unless its module has trapped. @param {{ free: () => void }} object */
 export function release(object) {
-  if (hasTrapped) disown(object);
+  if (hasTrapped) detach(object);
   else object.free();
 }
 
 /**
- * Forgets an object of an instance that has trapped, without a call into it: its memory goes with the instance. Nor does
- * the module's glue call into it when the object is collected.
+ * Detaches a JS wrapper from its wasm object without a call into the trapped instance, also on garbage collection. The
+ * memory is freed with the instance.
  *
  * @param {object} object
  */
-export function disown(object) {
+export function detach(object) {
   /** @type {{ __destroy_into_raw?: () => number }} */ (object).__destroy_into_raw?.();
 }
 
-/** Whether the page draws through WebGL2. */
+/** Whether the page draws with WebGL2. */
 export function isFallback() {
   return fallback;
 }
 
 let fallback = false;
-/** Whether a studio runs in the module for WebGPU: whatever is opened later runs there, too. */
-let isChosen = false;
+/** Whether a studio uses the WebGPU module, so that later ones do, too. */
+let isWebGpuInUse = false;
 /** @type {Promise<unknown>} */
 let lastOpening = Promise.resolve();
 
 /**
- * Opens a studio on the canvas; throws `{code: "no-webgl", …}` where there is neither WebGPU nor WebGL2. Several on a page are
- * opened one after the other: the first decides on the module for all.
+ * Opens a studio on the canvas. Throws `{code: "no-webgl", …}` without WebGPU and WebGL2. Calls run one after the
+ * other, because the first one decides the module for all.
  *
  * @param {HTMLCanvasElement} canvas
  * @returns {Promise<Studio>}
@@ -101,25 +86,25 @@ export function openStudio(canvas) {
 
 /** @param {HTMLCanvasElement} canvas */
 async function open(canvas) {
-  if (fallback) return started(canvas);
+  if (fallback) return startStudio(canvas);
   if ("gpu" in navigator) {
     try {
-      const studio = await started(canvas);
-      isChosen = true;
+      const studio = await startStudio(canvas);
+      isWebGpuInUse = true;
       return studio;
     } catch (error) {
-      if (isChosen || !WITHOUT_WEBGPU.has(asPageError(error).code)) throw error;
+      if (isWebGpuInUse || !NO_WEBGPU_CODES.has(asPageError(error).code)) throw error;
     }
   }
   fallback = true;
   compiled = undefined;
-  inUse = await loaded(import("../../wasm/rosto-studio-webgl.js"));
-  return started(canvas);
+  current = await loaded(import("../../wasm/rosto-studio-webgl.js"));
+  return startStudio(canvas);
 }
 
 /**
- * Whether the module's memory is in an unknown state. After a trap the objects that were in use then are locked for ever,
- * which is an error and no trap: the module's glue throws it.
+ * Whether the module has trapped. The glue code reports objects that a trap left borrowed as an error from
+ * `wbindgen_throw`.
  *
  * @param {unknown} error
  * @returns {error is Error}
@@ -128,60 +113,59 @@ export function isTrap(error) {
   return error instanceof WebAssembly.RuntimeError || (error instanceof Error && /wbindgen_throw/.test(error.stack ?? ""));
 }
 
-/** Fetches what starting again needs, so that it then needs no network. */
+/** Fetches spare modules, so that a restart needs no network. */
 export async function prepareRestart() {
-  while (spares.length < SPARES) spares.push(anotherModule());
+  while (spares.length < SPARES) spares.push(importFreshModule());
   await Promise.allSettled(spares);
 }
 
-/** Another address is another instance, with memory of its own. */
-function anotherModule() {
+/** A distinct URL makes the browser create a new module instance, with its own memory. */
+function importFreshModule() {
   spareCount += 1;
   /** @type {Promise<StudioModule>} */
-  const another = import(/* @vite-ignore */ /* webpackIgnore: true */ `${scriptFolder()}${moduleName()}.js?again=${spareCount}`);
-  another.catch(() => {});
-  return another;
+  const fresh = import(/* @vite-ignore */ /* webpackIgnore: true */ `${scriptFolder()}${moduleName()}.js?again=${spareCount}`);
+  fresh.catch(() => {});
+  return fresh;
 }
 
-/** Where the modules' scripts lie as they were built. */
+/** Folder of the modules' scripts. */
 function scriptFolder() {
   const base = filesBase();
   return base === undefined ? "../../wasm/" : `${base}wasm/`;
 }
 
 /** @type {Promise<void> | undefined} */
-let renewing;
+let replacing;
 
 /**
- * Opens a studio in a new instance of the module, after the one in use has trapped. Of several that were in it each gets one
- * in the same new instance.
+ * Opens a studio in a new instance after a trap. Concurrent calls share the new instance.
  *
  * @param {HTMLCanvasElement} canvas
  * @returns {Promise<Studio>}
  */
 export async function restartStudio(canvas) {
-  renewing ??= renew().finally(() => (renewing = undefined));
-  await renewing;
-  if (fallback) await freshContext(canvas);
-  return inUse.start(canvas);
+  replacing ??= replaceInstance().finally(() => (replacing = undefined));
+  await replacing;
+  if (fallback) await resetContext(canvas);
+  return current.start(canvas);
 }
 
-async function renew() {
-  inUse = await loaded(spares.shift() ?? anotherModule());
+async function replaceInstance() {
+  current = await loaded(spares.shift() ?? importFreshModule());
   await loaded(instantiate());
   hasTrapped = false;
 }
 
 /** @param {HTMLCanvasElement} canvas */
-async function started(canvas) {
+async function startStudio(canvas) {
   await loaded(instantiate());
-  return inUse.start(canvas);
+  return current.start(canvas);
 }
 
 async function instantiate() {
-  const usual = new URL(`../../wasm/${moduleName()}_bg.wasm`, import.meta.url);
-  compiled ??= await builtModule(`wasm/${moduleName()}_bg.wasm`, usual);
-  await inUse.default({ module_or_path: compiled });
+  const defaultUrl = new URL(`../../wasm/${moduleName()}_bg.wasm`, import.meta.url);
+  compiled ??= await verifiedModule(`wasm/${moduleName()}_bg.wasm`, defaultUrl);
+  await current.default({ module_or_path: compiled });
 }
 
 function moduleName() {
@@ -189,15 +173,15 @@ function moduleName() {
 }
 
 /**
- * What the instance that trapped has left in the canvas' WebGL2 context goes with the context.
+ * Replaces the canvas's WebGL2 context, which holds state of the trapped instance.
  *
  * @param {HTMLCanvasElement} canvas
  */
-function freshContext(canvas) {
+function resetContext(canvas) {
   const extension = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context");
   if (!extension) return Promise.resolve();
   return new Promise((/** @type {(value: void) => void} */ resolve) => {
-    // Whoever else hears of it need not get the context back: that is done here.
+    // Hides both events from other listeners, because the context is restored here.
     const options = { once: true, capture: true };
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
@@ -213,7 +197,7 @@ function freshContext(canvas) {
 }
 
 /**
- * A part of the page that may fail to come.
+ * Reports a failed import or fetch as `not-loaded`.
  *
  * @template T
  * @param {Promise<T>} part

@@ -1,40 +1,36 @@
 /** @typedef {{ left: number, top: number, right: number, bottom: number }} Box CSS px from the stage's top left */
 
-/** How far a name stands from what it names, and from the stage's edge, in CSS px. */
+/** Distance of the name from its point and from the stage's edge, in CSS px. */
 const BESIDE_PX = 14;
 const BELOW_PX = 12;
 const MARGIN_PX = 8;
 
-/** The lowest part of a face, as a share of its height, over which no name is written. */
+/** Lowest part of the face that the name must not cover, as a share of the face's height. */
 const CHIN = 0.22;
 
 /**
- * Puts a name below a point of the face and to its right, clear of the gizmo's arms, or to its left where the stage ends; for
- * what is at the chin below the face or, where the tools are in the way, at its side.
+ * Places the name below and to the right of its point, clear of the gizmo; to the left at the stage's edge. Near the
+ * chin, the name goes below the face, or next to it if the toolbar is in the way.
  *
  * @param {HTMLElement} tag
  * @param {{ x: number, y: number }} point CSS px from the stage's top left
  * @param {Box} face
  */
 export function placeTag(tag, point, face) {
-  const stage = { width: tag.parentElement?.clientWidth ?? 0, height: floorOf(tag) };
+  const stage = { width: tag.parentElement?.clientWidth ?? 0, height: toolbarTop(tag) };
   const { offsetWidth: width, offsetHeight: height } = tag;
   const isAtChin = point.y + BELOW_PX + height > face.bottom - CHIN * (face.bottom - face.top);
-  const isRoomBelow = face.bottom + MARGIN_PX + height < stage.height;
-  const x = isAtChin && !isRoomBelow ? Math.max(point.x, face.right) : point.x;
-  const y = isAtChin && isRoomBelow ? face.bottom + MARGIN_PX : point.y + BELOW_PX;
-  const isRoomRight = x + BESIDE_PX + width + MARGIN_PX <= stage.width;
-  const left = isRoomRight ? x + BESIDE_PX : Math.min(x - BESIDE_PX, stage.width - MARGIN_PX) - width;
-  const top = within(y, MARGIN_PX, stage.height - height - MARGIN_PX);
+  const fitsBelow = face.bottom + MARGIN_PX + height < stage.height;
+  const x = isAtChin && !fitsBelow ? Math.max(point.x, face.right) : point.x;
+  const y = isAtChin && fitsBelow ? face.bottom + MARGIN_PX : point.y + BELOW_PX;
+  const fitsRight = x + BESIDE_PX + width + MARGIN_PX <= stage.width;
+  const left = fitsRight ? x + BESIDE_PX : Math.min(x - BESIDE_PX, stage.width - MARGIN_PX) - width;
+  const top = clamp(y, MARGIN_PX, stage.height - height - MARGIN_PX);
   tag.style.translate = `${Math.round(Math.max(MARGIN_PX, left))}px ${Math.round(top)}px`;
 }
 
-/**
- * Where the tools at the stage's lower edge begin.
- *
- * @param {HTMLElement} tag
- */
-function floorOf(tag) {
+/** Upper edge of the toolbar. @param {HTMLElement} tag */
+function toolbarTop(tag) {
   const stage = tag.parentElement;
   const toolbar = /** @type {HTMLElement | null | undefined} */ (stage?.querySelector("[role=toolbar]"));
   const floor = stage?.clientHeight ?? 0;
@@ -43,9 +39,9 @@ function floorOf(tag) {
 
 /**
  * @param {number} value
- * @param {number} least
- * @param {number} most
+ * @param {number} min
+ * @param {number} max
  */
-function within(value, least, most) {
-  return Math.max(least, Math.min(value, most));
+function clamp(value, min, max) {
+  return Math.max(min, Math.min(value, max));
 }

@@ -1,8 +1,8 @@
 import { isFallback } from "./studio-module.js";
 
 /**
- * Throws away the errors so far; the function returned throws if another has come since. WebGL2 draws on without what it has
- * no memory for.
+ * Clears pending WebGL errors and returns a function that throws if a new one has occurred. WebGL2 does not throw when
+ * it runs out of memory.
  *
  * @param {HTMLCanvasElement} canvas
  */

@@ -6,23 +6,22 @@ import { inStrips } from "../photo/open-picture.js";
  * @typedef {import("../photo/vision-client.js").VisionClient} VisionClient
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
  *
- * @typedef {object} Wanted
+ * @typedef {object} TextureRequest
  * @property {OpenedFace} face
  * @property {number} side_px
- * @property {string | undefined} lens through which the photo is taken to be taken: the texture depends on it
+ * @property {string | undefined} lens lens assumed for the photo, which the texture depends on
  */
 
 /**
- * Sees to it that the face that is open has its texture: the worker makes it, and until it is there the photo is what is
- * seen. Without a worker it stays so.
+ * Requests the whole-face texture of the open face from the worker. Until it exists, the studio shows the photo.
  */
 export class WholeTexture {
   #host;
   #vision;
   #autosave;
-  /** @type {Wanted | undefined} what is being made, or could not be */
+  /** Current or failed request. @type {TextureRequest | undefined} */
   #latest;
-  #tell;
+  #onProgress;
   #hasFailed = false;
   /** @type {Promise<void>} */
   #making = Promise.resolve();
@@ -31,27 +30,27 @@ export class WholeTexture {
    * @param {Host} host
    * @param {VisionClient} vision
    * @param {{ face: OpenedFace | undefined }} autosave
-   * @param {(isMaking: boolean) => void} tell
+   * @param {(isMaking: boolean) => void} onProgress
    */
-  constructor(host, vision, autosave, tell) {
+  constructor(host, vision, autosave, onProgress) {
     this.#host = host;
     this.#vision = vision;
     this.#autosave = autosave;
-    this.#tell = tell;
+    this.#onProgress = onProgress;
     host.onChange(() => this.#follow());
-    // What was on its way to the studio before is lost with it.
+    // A restart discards the texture in transfer.
     host.onRestart(async () => {
       this.#latest = undefined;
     });
   }
 
-  /** Resolves once the face has its texture, and throws what stands in its way. */
+  /** Resolves once the face has its texture; throws if it cannot be made. */
   async ready() {
     for (let wanted = this.#wanted(); wanted; wanted = this.#wanted()) {
       if (!isSame(wanted, this.#latest) || this.#hasFailed) this.#begin(wanted);
       await this.#making;
-      // Another one may be wanted by now; the same one once more could be made no better.
-      if (isSame(this.#wanted(), wanted)) throw { code: "internal", message: "the texture was not taken", hint: "" };
+      // Another request may have arrived meanwhile. Repeating the same one would fail again.
+      if (isSame(this.#wanted(), wanted)) throw { code: "internal", message: "the studio did not accept the texture", hint: "" };
     }
   }
 
@@ -60,35 +59,31 @@ export class WholeTexture {
     if (wanted && !isSame(wanted, this.#latest)) this.#begin(wanted);
   }
 
-  /** @param {Wanted} wanted */
+  /** @param {TextureRequest} wanted */
   #begin(wanted) {
     this.#latest = wanted;
     this.#hasFailed = false;
-    this.#tell(true);
+    this.#onProgress(true);
     this.#making = this.#make(wanted);
-    // Whoever needs it hears of it; who does not, sees the photo.
+    // `ready` reports errors; without a texture, the photo stays visible.
     this.#making
-      .then(() => this.#settle(wanted))
+      .then(() => this.#complete(wanted))
       .catch(() => (this.#hasFailed = this.#latest === wanted))
       .finally(() => {
-        if (this.#latest === wanted) this.#tell(false);
+        if (this.#latest === wanted) this.#onProgress(false);
       });
   }
 
-  /**
-   * What was taken is nobody's concern any more: a studio that is started again wants the same once more.
-   *
-   * @param {Wanted} made
-   */
-  #settle(made) {
-    const isTaken = !isSame(this.#wanted(), made);
-    if (isTaken && this.#latest === made) {
+  /** Forgets a completed request, so that a restarted studio can request it again. @param {TextureRequest} made */
+  #complete(made) {
+    const isAccepted = !isSame(this.#wanted(), made);
+    if (isAccepted && this.#latest === made) {
       this.#latest = undefined;
-      this.#tell(false);
+      this.#onProgress(false);
     }
   }
 
-  /** @returns {Wanted | undefined} */
+  /** @returns {TextureRequest | undefined} */
   #wanted() {
     const { face } = this.#autosave;
     const side_px = this.#host.ask((studio) => studio.textureWantedPx);
@@ -96,14 +91,14 @@ export class WholeTexture {
     return { face, side_px, lens: this.#host.ask((studio) => studio.photoLens) };
   }
 
-  /** @param {Wanted} wanted */
+  /** @param {TextureRequest} wanted */
   async #make(wanted) {
-    // The face is on the screen first.
+    // Draw the face first.
     await nextTask();
     const plan = this.#host.ask((studio) => studio.texturePlan());
     if (!plan) return;
     const { face, side_px } = wanted;
-    // The one that leads first, as in the plan.
+    // The primary photo comes first, as in the plan.
     const pictures = [face, ...(face.further ?? [])].map(pixelsOf);
     const pixels = await this.#vision.texture({ plan, pictures, side_px });
     const isWanted = () => this.#latest === wanted && isSame(this.#wanted(), wanted);
@@ -114,8 +109,8 @@ export class WholeTexture {
 }
 
 /**
- * @param {Wanted | undefined} one
- * @param {Wanted | undefined} other
+ * @param {TextureRequest | undefined} one
+ * @param {TextureRequest | undefined} other
  */
 function isSame(one, other) {
   return one?.face === other?.face && one?.side_px === other?.side_px && one?.lens === other?.lens;
