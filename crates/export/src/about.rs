@@ -1,4 +1,4 @@
-//! Facts about a face besides its mesh, as JSON.
+//! Facts about a face in addition to its mesh, as JSON.
 
 use glam::DVec3;
 use rosto_face::{FaceModel, Measure, iris_id};

@@ -118,7 +118,7 @@ pub fn read(bytes: &[u8]) -> Result<Reopened<'_>, ReopenError> {
 
 /// Minimum number of bytes missing before the end chunk of a PNG file; `None` if it is not a PNG file.
 fn missing_of_png(png: &[u8]) -> Option<usize> {
-    /// Bytes of a chunk besides its content: length, name and checksum.
+    /// Bytes of a chunk without its content: length, name and checksum.
     const AROUND: usize = 12;
     let mut rest = png.strip_prefix(&PNG_SIGNATURE)?;
     loop {

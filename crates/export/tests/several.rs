@@ -30,7 +30,7 @@ fn several(turns: &[f64]) -> FaceModel {
         picture: gradient(),
         lens: PhotoLens::Distance(f64::from(number)),
     });
-    FaceModel::of_several(inputs.collect(), Triangulation::Canonical).unwrap()
+    FaceModel::from_photos(inputs.collect(), Triangulation::Canonical).unwrap()
 }
 
 /// Rebuilds the face from a reopened file, as the page and the command line do.
@@ -49,7 +49,7 @@ fn opened(file: &Reopened<'_>) -> FaceModel {
     let mut inputs: Vec<_> = others.collect();
     let lead = input(&file.landmarks, file.photo_size_px, &file.colours_srgb, file.lens);
     inputs.insert(further.leads, lead);
-    FaceModel::of_several(inputs, file.triangulation).unwrap()
+    FaceModel::from_photos(inputs, file.triangulation).unwrap()
 }
 
 fn assert_same(one: &FaceModel, other: &FaceModel) {

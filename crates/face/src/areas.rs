@@ -1,22 +1,23 @@
 use crate::mirror_of;
 
 rosto_mesh::named! {
-    /// The parts that the face is divided into: every landmark lies in exactly one.
+    /// Disjoint parts of the face that cover all landmarks.
     ///
-    /// A part is given by its landmarks on the midline and on the subject's right; the left half is their mirror image.
+    /// A part is defined by its landmarks on the midline and on the subject's right; the left half is their mirror
+    /// image.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Area {
         /// From the hairline to above the brows.
         Forehead = "forehead",
         /// Between the brows.
         Glabella = "glabella",
-        /// Beside the eye and the brow.
+        /// Lateral to the eye and the brow.
         Temple = "temple",
         /// The brow.
         Brow = "brow",
         /// The upper lid, from its edge to its crease.
         UpperEyelid = "upper-eyelid",
-        /// The eye's corners.
+        /// The corners of the eye.
         EyeCorner = "eye-corner",
         /// The lower lid.
         LowerEyelid = "lower-eyelid",
@@ -26,13 +27,13 @@ rosto_mesh::named! {
         UnderEye = "under-eye",
         /// The cheekbone.
         Cheekbone = "cheekbone",
-        /// The cheek below its bone.
+        /// The cheek below the cheekbone.
         Cheek = "cheek",
-        /// Before the ear.
+        /// In front of the ear.
         SideOfFace = "side-of-face",
         /// The ridge from the root of the nose to above its tip.
         NoseBridge = "nose-bridge",
-        /// Beside the ridge.
+        /// The flank of the nose, next to the bridge.
         NoseSide = "nose-side",
         /// The tip of the nose.
         NoseTip = "nose-tip",
@@ -44,23 +45,23 @@ rosto_mesh::named! {
         Philtrum = "philtrum",
         /// The upper lip.
         UpperLip = "upper-lip",
-        /// The mouth's corner.
+        /// The corner of the mouth.
         MouthCorner = "mouth-corner",
         /// The lower lip.
         LowerLip = "lower-lip",
         /// Between lower lip and chin.
         ChinCrease = "chin-crease",
-        /// Beside the mouth, from the nose's wing down.
+        /// From the wing of the nose down past the corner of the mouth.
         SmileLine = "smile-line",
         /// The chin.
         Chin = "chin",
-        /// The jaw's side.
+        /// The side of the jaw.
         Jaw = "jaw",
     }
 }
 
 impl Area {
-    /// The landmarks of the midline and of the subject's right.
+    /// Landmarks on the midline and on the subject's right.
     pub fn right_half(self) -> &'static [u16] {
         match self {
             Self::Forehead => &[10, 151, 109, 108, 67, 69, 103, 104, 54, 68],
@@ -91,7 +92,7 @@ impl Area {
         }
     }
 
-    /// The part that `landmark` lies in.
+    /// The part that contains `landmark`.
     pub(crate) fn of(landmark: u32) -> Self {
         let right = landmark.min(mirror_of(landmark));
         let holds = |area: &&Self| area.right_half().iter().any(|&member| u32::from(member) == right);

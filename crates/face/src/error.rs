@@ -1,70 +1,70 @@
 use thiserror::Error;
 
-/// Why landmarks are no face that can be modelled.
+/// Reason why landmarks could not be modelled as a face.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FaceError {
-    /// There are not as many landmarks, or colours, as a face has.
-    #[error("{found} {what} where a face has {expected}")]
+    /// The number of landmarks or colours is wrong.
+    #[error("expected {expected} {what}, found {found}")]
     WrongCount {
         /// "landmarks" or "colours".
         what: &'static str,
-        /// How many a face has.
+        /// Required number.
         expected: usize,
-        /// How many were given.
+        /// Number passed.
         found: usize,
     },
-    /// A coordinate is infinite or not a number.
+    /// A coordinate is infinite or NaN.
     #[error("landmark {landmark} has a coordinate that is not a finite number")]
     NotFinite {
-        /// The landmark.
+        /// Index of the landmark.
         landmark: usize,
     },
-    /// The picture the landmarks were found in has no area.
-    #[error("the picture is {width}×{height} px, which leaves nothing to measure in")]
+    /// The picture in which the landmarks were found has no area.
+    #[error("the picture is {width}×{height} px, so it has no area")]
     EmptyPicture {
         /// Width in px.
         width: u32,
         /// Height in px.
         height: u32,
     },
-    /// There is no such lens, or it has a number that no camera has.
-    #[error("{lens:?} is no lens: estimated, parallel, exif:MM, given:MM (5 to 2000) or distance:M (0.1 to 20)")]
+    /// The lens data cannot be parsed or are out of range.
+    #[error("{lens:?} is not a lens; use estimated, parallel, exif:MM, given:MM (5 to 2000) or distance:M (0.1 to 20)")]
     Lens {
-        /// As it was given.
+        /// The lens data as passed.
         lens: String,
     },
-    /// All landmarks lie on one point or one line, so that the face faces nowhere.
-    #[error("the landmarks lie on one line or point, so the face has neither size nor direction")]
+    /// All landmarks are collinear or coincide, so the face has no orientation.
+    #[error("the landmarks are collinear, so the face has no orientation")]
     Degenerate,
-    /// There are more photos of the face than are read together, or none.
-    #[error("{found} photos of one face; 1 to {most} can be read together")]
+    /// No photos or too many.
+    #[error("{found} photos of one face; the number has to be 1 to {most}")]
     PhotoCount {
-        /// How many were given.
+        /// Number of photos passed.
         found: usize,
-        /// As many as can be read.
+        /// Largest supported number.
         most: usize,
     },
-    /// One of several photos shows no face that can be modelled.
+    /// One of several photos does not show a face that can be modelled.
     #[error("photo {}: {reason}", photo + 1)]
     InPhoto {
-        /// Which, from 0.
+        /// Index of the photo, from 0.
         photo: usize,
-        /// Why.
+        /// The error for this photo.
         reason: Box<FaceError>,
     },
-    /// What one of several photos shows does not agree with the others, however its camera is put: it is another face's.
+    /// One of several photos does not match the others for any camera: it shows another face.
     #[error(
-        "photo {} does not agree with the others: half of its landmarks are {reprojection_px:.1} px and more from where \
-         theirs would be, and {most_px:.1} px is the limit; is it the same face?",
+                "photo {} does not match the others: the median reprojection error is {reprojection_px:.1} px, and the limit is \
+        {most_px:.1} px; make sure that it shows the same face",
         photo + 1
     )]
     AnotherFace {
-        /// Which, from 0.
+        /// Index of the photo, from 0.
         photo: usize,
-        /// The median of how far landmarks are from where the shape would be seen.
+        /// Median distance in px between the landmarks and the reprojected shape.
         reprojection_px: f64,
-        /// As far as that may be.
+        /// Limit of that distance.
         most_px: f64,
     },
 }

@@ -1,7 +1,7 @@
-//! The canonical face, and landmarks to a metric, coloured, textured model.
+//! The canonical face, and metric, coloured, textured face models from landmarks.
 //!
-//! The canonical face is MediaPipe's: an average head of 468 landmarks with two triangulations, exact left-right pairs
-//! and named regions. "Left" and "right" are the subject's throughout.
+//! The canonical face is MediaPipe's: an average head with 468 landmarks, two triangulations, exact mirror pairs and
+//! named regions. "Left" and "right" are the subject's.
 
 mod areas;
 mod camera;
@@ -31,10 +31,10 @@ pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
 pub use model::{
-    FaceInput, FaceModel, LeftOut, MOST_PHOTOS, Reprojection, PoseFit, View, check_landmarks, drawn_out_m,
+    FaceInput, FaceModel, LeftOut, MAX_PHOTOS, PoseFit, Reprojection, View, check_landmarks, depth_bias_m,
 };
 pub use names::{landmark_id, part_id};
-pub use openings::{Opening, Parted, Piece, without_fillings};
+pub use openings::{Opening, Piece, SplitFace, without_fillings};
 pub use photo_lens::{DISTANCES_M, PhotoLens};
 pub use regions::Region;
 pub use rosto_photo::Photo;
@@ -43,7 +43,7 @@ pub use symmetry::{MIDLINE, mirror_of};
 pub use tables::LANDMARK_COUNT;
 pub use turn::Turn;
 
-/// The examples of the README are tested with those of the code.
+/// Runs the README's examples as doc-tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

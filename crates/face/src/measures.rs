@@ -3,32 +3,32 @@ use glam::DVec3;
 use crate::irises::eye_centres;
 
 rosto_mesh::named! {
-    /// A length that people take of a face, straight from point to point.
+    /// A facial measurement: the straight distance between two points.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Measure {
-        /// From temple to temple, before the ears.
+        /// Between the sides of the face, in front of the ears.
         FaceWidth = "face-width",
-        /// From the top of the forehead, as far as there are landmarks, to the bottom of the chin.
+        /// From the topmost landmark of the forehead to the bottom of the chin.
         FaceHeight = "face-height",
-        /// From the middle of one eye to that of the other.
+        /// Between the centres of the eyes.
         EyeDistance = "eye-distance",
         /// Between the inner corners of the eyes.
         InnerEyeDistance = "inner-eye-distance",
         /// Between the outer corners of the eyes.
         OuterEyeDistance = "outer-eye-distance",
-        /// From wing to wing.
+        /// Between the wings of the nose.
         NoseWidth = "nose-width",
-        /// From its root to its base.
+        /// From the root to the base of the nose.
         NoseLength = "nose-length",
-        /// From corner to corner.
+        /// Between the corners of the mouth.
         MouthWidth = "mouth-width",
-        /// Between the corners of the jaw.
+        /// Between the angles of the jaw.
         JawWidth = "jaw-width",
     }
 }
 
 impl Measure {
-    /// The landmarks at both ends; none for the middles of the eyes.
+    /// End landmarks; `None` for the distance between the eye centres.
     pub fn landmarks(self) -> Option<[u32; 2]> {
         match self {
             Self::FaceWidth => Some([234, 454]),
@@ -43,7 +43,7 @@ impl Measure {
         }
     }
 
-    /// The length in the units of the positions, the first 468 of which are the landmarks'.
+    /// Length in the units of the positions, whose first 468 entries are the landmarks.
     ///
     /// # Panics
     /// If there are fewer positions than landmarks.

@@ -1,6 +1,6 @@
 mod fitting;
-mod seen;
-mod several;
+mod joint_fit;
+mod observed;
 mod pose_fit;
 mod views;
 
@@ -13,36 +13,36 @@ use crate::irises::eye_centres;
 use crate::size::Scale;
 use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
 use fitting::Fitted;
-use seen::check_count;
-pub use seen::check_landmarks;
-pub use several::{LeftOut, Reprojection, drawn_out_m};
+pub use joint_fit::{LeftOut, Reprojection, depth_bias_m};
+use observed::check_count;
+pub use observed::check_landmarks;
 pub use pose_fit::PoseFit;
-pub use views::{MOST_PHOTOS, View};
+pub use views::{MAX_PHOTOS, View};
 
-/// What a model is made from.
+/// Input of [`FaceModel::new`].
 #[derive(Debug)]
 pub struct FaceInput<'a> {
-    /// 468 landmarks, or 478 with the irises, in MediaPipe's normalised convention: x/W, y/H, z/W, x to the right, y down,
-    /// z away.
+    /// 468 landmarks, or 478 with the irises, in MediaPipe's normalised coordinates: x/W, y/H, z/W; x to the right, y
+    /// down, z away from the camera.
     pub landmarks: &'a [[f32; 3]],
-    /// Width in px of the upright picture that the landmarks were found in.
+    /// Width in px of the upright picture in which the landmarks were found.
     pub width: u32,
     /// Height in px of that picture.
     pub height: u32,
-    /// 468 sRGB colours: the pixel under each landmark at full resolution, as in the paper.
+    /// 468 sRGB colours: the pixel at each landmark at full resolution, as in the paper.
     pub colours: &'a [[u8; 3]],
-    /// The upright picture for the texture; it may be a scaled-down copy.
+    /// The upright picture for the texture, possibly a scaled-down copy.
     pub picture: Photo,
     /// Lens data.
     pub lens: PhotoLens,
 }
 
-/// A face from one photo: a metric, coloured and textured triangle mesh.
+/// A metric, coloured and textured triangle mesh of a face from one or more photos.
 ///
-/// The model's frame is the canonical face's: metres, right-handed, +Y up, +Z out of the face towards the viewer, the
-/// subject's left towards +X. The head's pose is taken out: the face looks along +Z, upright, however the photo was
-/// tilted. What perspective did to it is taken out, too, so that the model, seen by [`Self::camera`], lies on the photo. It
-/// is as large as its irises say or, where they cannot be seen, as the canonical head.
+/// The model's frame is that of the canonical face: metres, right-handed, +Y up, +Z out of the face, +X to the
+/// subject's left. The pose is removed, so the face looks along +Z. Perspective is removed too: seen by
+/// [`Self::camera`], the model coincides with the photo. The size comes from the irises or, if they are not visible,
+/// from the canonical head.
 #[derive(Debug, Clone)]
 pub struct FaceModel {
     triangulation: Triangulation,
@@ -52,29 +52,29 @@ pub struct FaceModel {
     positions_image: Vec<DVec3>,
     image_from_model: DMat3,
     scale: Scale,
-    /// The leading photo first, then the others in input order.
+    /// The lead photo first, then the others in input order.
     views: Vec<View>,
 }
 
 impl FaceModel {
-    /// Takes the perspective out of the landmarks, fits them into the canonical face's frame and takes the photo's colours
-    /// along.
+    /// Builds a model from the landmarks and colours of one photo.
     ///
-    /// The fit is the weighted Procrustes problem over MediaPipe's 33 weighted landmarks in px, (x·W, −y·H, −z·W), with
-    /// each on its ray from the camera, estimated from the canonical face to the picture as MediaPipe does, then inverted.
-    /// Depths lean on the canonical face's δ-coordinates, unless the lens is [`PhotoLens::Parallel`].
+    /// The fit is a weighted Procrustes problem over MediaPipe's 33 weighted landmarks, each unprojected on its ray
+    /// from the camera: px, (x·W, −y·H, −z·W). As in MediaPipe, the transform from the canonical face to the picture is
+    /// estimated and then inverted. Depths are regularised towards the canonical face's δ-coordinates, unless the lens
+    /// is [`PhotoLens::Parallel`].
     ///
     /// # Errors
-    /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, if a number is not finite, if the picture has no
-    /// area, if there is no such lens, or if the weighted landmarks lie on one line.
+    /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, a number is not finite, the picture has no
+    /// area, the lens is invalid, or the weighted landmarks are collinear.
     pub fn new(input: FaceInput<'_>, triangulation: Triangulation) -> Result<Self, FaceError> {
         let fitted = Fitted::new(input.landmarks, [input.width, input.height], input.lens)?;
         check_count("colours", LANDMARK_COUNT, input.colours.len())?;
         let view = View::new(input, (0, fitted.camera, Reprojection::default()));
-        Ok(Self::made_of(triangulation, fitted, vec![view]))
+        Ok(Self::from_fitted(triangulation, fitted, vec![view]))
     }
 
-    fn made_of(triangulation: Triangulation, fitted: Fitted, views: Vec<View>) -> Self {
+    fn from_fitted(triangulation: Triangulation, fitted: Fitted, views: Vec<View>) -> Self {
         let Fitted { mut positions_m, scale, image_from_model, .. } = fitted;
         let irises_m = positions_m.split_off(LANDMARK_COUNT);
         let landmarks = views[0].landmarks[..LANDMARK_COUNT].iter();
@@ -83,88 +83,88 @@ impl FaceModel {
         Self { triangulation, topology, positions_m, irises_m, positions_image, image_from_model, scale, views }
     }
 
-    /// How the landmarks are joined.
+    /// Triangulation of the landmarks.
     pub fn triangulation(&self) -> Triangulation {
         self.triangulation
     }
 
-    /// The mesh of the 468 landmarks.
+    /// Topology of the mesh of 468 landmarks.
     pub fn topology(&self) -> &Topology {
         &self.topology
     }
 
-    /// Width and height in px of the upright picture that the landmarks were found in.
+    /// Width and height in px of the upright picture in which the landmarks were found.
     pub fn photo_size_px(&self) -> [u32; 2] {
         self.views[0].photo_size_px
     }
 
-    /// 468 positions in metres in the model's frame.
+    /// 468 positions in metres, in the model's frame.
     pub fn positions_m(&self) -> &[DVec3] {
         &self.positions_m
     }
 
-    /// The irises in the same frame: ten points, five of the right one and five of the left, each its middle and four on its
-    /// border ([`iris_id`](crate::iris_id)); none if they were not looked for.
+    /// Iris points in the model's frame: five of the right iris, then five of the left, each its centre and four on the
+    /// border ([`iris_id`](crate::iris_id)). Empty if irises were not detected.
     pub fn irises_m(&self) -> &[DVec3] {
         &self.irises_m
     }
 
-    /// The middles of the right and the left eye in the same frame, which stay when the gaze wanders.
+    /// Centres of the right and the left eye in the model's frame, which do not move with the gaze.
     pub fn eye_centres_m(&self) -> [DVec3; 2] {
         eye_centres(&self.positions_m)
     }
 
-    /// 468 positions in MediaPipe's normalised convention (x/W, y/H, z/W), the paper's coordinates.
+    /// 468 positions in MediaPipe's normalised coordinates (x/W, y/H, z/W), as in the paper.
     pub fn positions_image(&self) -> &[DVec3] {
         &self.positions_image
     }
 
-    /// The landmarks, and the irises if they were looked for, bit for bit as they came in.
+    /// The input landmarks, with the irises if detected, unchanged bit for bit.
     pub fn landmarks(&self) -> &[[f32; 3]] {
         &self.views[0].landmarks
     }
 
-    /// What a small way in the model's metres is in the coordinates of [`Self::positions_image`], in the middle of the face.
+    /// Linear map from a displacement in the model, in metres, to one in the coordinates of [`Self::positions_image`],
+    /// at the centre of the face.
     pub fn image_from_model(&self) -> DMat3 {
         self.image_from_model
     }
 
-    /// The camera that took the photo, and where it stood.
+    /// The camera that took the photo.
     pub fn camera(&self) -> &Camera {
         &self.views[0].camera
     }
 
-    /// That camera gone back, or come nearer, to a distance from the middle of the face: the face stays where it is in the photo,
-    /// as large as it is.
+    /// The camera at another distance from the face's centre; the face keeps its position and size in the photo
+    /// ([`Camera::at_distance`]).
     pub fn seen_from(&self, distance_m: f64) -> Camera {
         let middle_m = self.positions_m.iter().sum::<DVec3>() / self.positions_m.len() as f64;
         self.camera().at_distance(distance_m, middle_m)
     }
 
-    /// What was known of its lens.
+    /// Lens data of the photo, as passed.
     pub fn lens(&self) -> PhotoLens {
         self.views[0].lens
     }
 
-    /// How well the face's size is known.
+    /// Source and accuracy of the face's size.
     pub fn scale(&self) -> Scale {
         self.scale
     }
 
-    /// 468 sRGB colours, the photo's pixel under each landmark.
+    /// 468 sRGB colours: the photo's pixel at each landmark.
     pub fn colours_srgb(&self) -> &[[u8; 3]] {
         &self.views[0].colours_srgb
     }
 
-    /// 468 texture coordinates in the upright picture, origin at the top left. A landmark outside the picture is
-    /// outside 0..=1.
+    /// 468 texture coordinates in the upright picture, origin at the top left; outside 0..=1 for landmarks outside the
+    /// picture.
     pub fn uvs(&self) -> &[DVec2] {
         &self.views[0].uvs
     }
 
-    /// The sRGB colours of a mesh whose first vertices are the landmarks, as a denser one's are: these have their own, and those
-    /// added between them the photo's under their texture coordinates; taken from [`Self::picture`], whose resolution may be lower
-    /// than the photo's.
+    /// sRGB colours of a subdivided mesh whose first vertices are the landmarks. Added vertices sample
+    /// [`Self::picture`] at `uvs`, possibly at a lower resolution than the photo's.
     pub fn colours_under(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
         let added = uvs.iter().skip(LANDMARK_COUNT).map(|uv| self.picture().colour_under(uv.x, uv.y));
         self.colours_srgb().iter().copied().chain(added).collect()

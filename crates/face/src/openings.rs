@@ -1,4 +1,4 @@
-//! The eyes and the mouth: what fills them, and a mesh in which that is in pieces of its own.
+//! The eye and mouth openings, and a mesh with separate pieces in them.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use rosto_mesh::{LoopSubdivision, Topology};
 use crate::irises::LIDS;
 
 rosto_mesh::named! {
-    /// An opening of the face, which [`Triangulation::Canonical`](crate::Triangulation::Canonical) fills and
+    /// An opening that [`Triangulation::Canonical`](crate::Triangulation::Canonical) fills and
     /// [`Triangulation::Tessellation`](crate::Triangulation::Tessellation) leaves open.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Opening {
@@ -21,35 +21,35 @@ rosto_mesh::named! {
     }
 }
 
-/// The edge of the lips inside.
+/// Inner edge of the lips.
 const INNER_LIPS: [u16; 20] =
     [78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308, 95, 88, 178, 87, 14, 317, 402, 318, 324];
 
-/// How far behind the edges of lids and lips a piece lies, in metres.
+/// Distance of a piece behind the edges of lids and lips, in metres.
 const EYE_BEHIND_M: f64 = 0.0005;
 const MOUTH_BEHIND_M: f64 = 0.006;
-/// An eyeball's radius, in metres.
+/// Radius of an eyeball, in metres.
 const BALL_M: f64 = 0.012;
-/// An eye goes on so far behind the lids, so that they may part further.
+/// Extension of an eye behind the lids, so that they can open further.
 const EYE_RING: Ring = Ring { outwards_m: 0.0025, below_m: 0.0, behind_m: 0.0015 };
-/// Around what is seen of the mouth it is dark, as far down as a jaw opens.
+/// Dark extensions around the inside of the mouth, as far down as the jaw opens.
 const MOUTH_RINGS: [Ring; 2] = [
     Ring { outwards_m: 0.001, below_m: 0.0, behind_m: 0.002 },
     Ring { outwards_m: 0.012, below_m: 0.016, behind_m: 0.01 },
 ];
-/// A piece that has no vertices but its rim's is cut so often.
-const TIMES_CUT: u32 = 2;
+/// Subdivision level of a piece that has only rim vertices.
+const SUBDIVISIONS: u32 = 2;
 
-/// How far a ring of vertices lies from the rim that it goes on from, in metres.
+/// Offset of a ring of vertices from the previous ring, in metres.
 struct Ring {
     outwards_m: f64,
-    /// Where it is below the middle, as much further down.
+    /// Additional downward offset below the centre.
     below_m: f64,
     behind_m: f64,
 }
 
 impl Opening {
-    /// The landmarks around it.
+    /// Landmarks around the opening.
     pub fn rim(self) -> Vec<u32> {
         let rim: &[u16] = match self {
             Self::RightEye => &LIDS[0],
@@ -59,7 +59,7 @@ impl Opening {
         rim.iter().copied().map(u32::from).collect()
     }
 
-    /// The opening that a triangle of landmarks fills.
+    /// The opening that a triangle of landmarks fills, if any.
     pub fn filled_by(corners: &[u32; 3]) -> Option<Self> {
         Self::ALL.into_iter().find(|opening| {
             let rim = opening.rim();
@@ -68,47 +68,47 @@ impl Opening {
     }
 }
 
-/// The triangles of a face's mesh without those that fill its eyes and mouth, which
+/// Removes the triangles that fill the eyes and the mouth, which
 /// [`Triangulation::Tessellation`](crate::Triangulation::Tessellation) leaves open.
 ///
-/// `mesh` is a subdivision of `face`, its triangles in the order of those that they are parts of.
+/// `mesh` is a subdivision of `face`, with its triangles in the order of their parents.
 pub fn without_fillings(face: &[[u32; 3]], mesh: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let parts = mesh.len() / face.len().max(1);
-    let kept = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| Opening::filled_by(corners).is_none());
-    kept.flat_map(|(parts, _)| parts).copied().collect()
+    let retained = mesh.chunks(parts.max(1)).zip(face).filter(|(_, corners)| Opening::filled_by(corners).is_none());
+    retained.flat_map(|(parts, _)| parts).copied().collect()
 }
 
-/// A face's mesh with the skin cut open at eyes and mouth, and what fills them in pieces of their own that stay where they are
-/// when lids and lips move: eyes round as balls behind the lids, what is seen of the mouth behind the lips.
+/// A face mesh with separate pieces in the eye and mouth openings.
 ///
-/// The mesh's vertices keep their numbers; those of the pieces follow. A piece goes on behind the skin around it, where it
-/// shows its own picture in the mirror.
+/// The pieces do not move with lids and lips: round eyes behind the lids, and the inside of the mouth behind the lips.
+/// Mesh vertices keep their indices, followed by those of the pieces. Behind the surrounding skin, a piece continues
+/// with a mirrored copy of its texture.
 #[derive(Debug, Clone)]
-pub struct Parted {
+pub struct SplitFace {
     topology: Topology,
     pieces: Vec<Piece>,
 }
 
-/// One piece.
+/// A piece in an opening.
 #[derive(Debug, Clone)]
 pub struct Piece {
-    /// What it fills.
+    /// The opening.
     pub opening: Opening,
-    /// Its vertices.
+    /// Vertices of the piece.
     pub vertices: Range<u32>,
-    /// For each of them, which of the mesh's vertices it is made of, with weights that sum to 1.
+    /// Stencil of each vertex over the mesh's vertices; weights sum to 1.
     stencils: Vec<Vec<(u32, f64)>>,
-    /// How many of them lie between lids or lips; those after them go on behind the skin.
+    /// Number of vertices between lids or lips; the others extend behind the skin.
     inside: usize,
-    /// For each that goes on behind the skin, the one on the rim that it goes on from.
+    /// For each column of vertices behind the skin, the rim vertex where it starts.
     from: Vec<usize>,
-    /// The mesh's vertices at both corners of an eye, or of the mouth.
+    /// Mesh vertices at both corners of the eye or mouth.
     corners: [u32; 2],
 }
 
-impl Parted {
-    /// Parts a mesh that is a subdivision of `face`, the triangles of 468 landmarks, in the order of those that its triangles are
-    /// parts of. What has no fillings has no pieces.
+impl SplitFace {
+    /// Splits a mesh that is a subdivision of `face`, the triangles of 468 landmarks, with its triangles in the order
+    /// of their parents. Unfilled openings get no pieces.
     pub fn new(face: &[[u32; 3]], mesh: &Topology) -> Self {
         let parts = (mesh.triangles().len() / face.len().max(1)).max(1);
         let (mut triangles, mut filling) = (Vec::new(), vec![Vec::new(); Opening::ALL.len()]);
@@ -121,17 +121,17 @@ impl Parted {
         let mut count = mesh.vertex_count() as u32;
         let mut pieces = Vec::new();
         for (opening, filling) in Opening::ALL.into_iter().zip(filling).filter(|(_, filling)| !filling.is_empty()) {
-            let (piece, of_piece) = Piece::new(opening, &filling, count, mesh.vertex_count());
+            let (piece, piece_triangles) = Piece::new(opening, &filling, count, mesh.vertex_count());
             count = piece.vertices.end;
-            triangles.extend(of_piece);
+            triangles.extend(piece_triangles);
             pieces.push(piece);
         }
         let topology = Topology::new(count as usize, triangles).expect("invariant: parts of a mesh are meshes");
         Self { topology, pieces }
     }
 
-    /// The same with the dark around what is seen of the mouth as dark as the darkest of the mesh's colours along lids and lips:
-    /// where it shows, there is nothing that a photo could have seen.
+    /// Paints the extensions inside the mouth in the darkest colour along lids and lips, since no photo shows that
+    /// part.
     #[must_use]
     pub fn darkened(mut self, colours_srgb: &[[u8; 3]]) -> Self {
         let light = |colour: &[u8; 3]| colour.iter().map(|&channel| u32::from(channel)).sum::<u32>();
@@ -143,52 +143,54 @@ impl Parted {
         self
     }
 
-    /// The skin's triangles in their order, and then those of the pieces.
+    /// The skin's triangles in their original order, then those of the pieces.
     pub fn topology(&self) -> &Topology {
         &self.topology
     }
 
-    /// The eyes and the mouth, as far as the mesh fills them.
+    /// Pieces of the openings that the mesh fills.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
-    /// Texture coordinates of all vertices.
+    /// Texture coordinates of all vertices, from those of the mesh.
     ///
     /// # Panics
-    /// If there is not one for each vertex of the mesh.
+    /// If there are fewer coordinates than mesh vertices.
     pub fn uvs(&self, uvs: &[DVec2]) -> Vec<DVec2> {
-        let of_piece = |stencil: &Vec<(u32, f64)>| stencil.iter().map(|&(of, share)| uvs[of as usize] * share).sum();
-        uvs.iter().copied().chain(self.stencils().map(of_piece)).collect()
+        let of_vertex =
+            |stencil: &Vec<(u32, f64)>| stencil.iter().map(|&(source, weight)| uvs[source as usize] * weight).sum();
+        uvs.iter().copied().chain(self.stencils().map(of_vertex)).collect()
     }
 
-    /// Colours of all vertices.
+    /// Colours of all vertices, from those of the mesh.
     ///
     /// # Panics
-    /// If there is not one for each vertex of the mesh.
+    /// If there are fewer colours than mesh vertices.
     pub fn colours(&self, colours: &[[u8; 3]]) -> Vec<[u8; 3]> {
-        let of_piece = |stencil: &Vec<(u32, f64)>| {
-            let channel =
-                |at: usize| stencil.iter().map(move |&(of, share)| f64::from(colours[of as usize][at]) * share);
+        let of_vertex = |stencil: &Vec<(u32, f64)>| {
+            let channel = |at: usize| {
+                stencil.iter().map(move |&(source, weight)| f64::from(colours[source as usize][at]) * weight)
+            };
             [0, 1, 2].map(|at| channel(at).sum::<f64>().round().clamp(0.0, 255.0) as u8)
         };
-        colours.iter().copied().chain(self.stencils().map(of_piece)).collect()
+        colours.iter().copied().chain(self.stencils().map(of_vertex)).collect()
     }
 
-    /// Positions of all vertices in metres; those of the pieces lie where they are at rest behind lids and lips at these.
+    /// Positions of all vertices in metres; pieces are placed at rest behind the lids and lips of `positions_m`.
     ///
     /// # Panics
-    /// If there is not one for each vertex of the mesh.
+    /// If there are fewer positions than mesh vertices.
     pub fn positions_m(&self, positions_m: &[DVec3]) -> Vec<DVec3> {
         let of_pieces = self.pieces.iter().flat_map(|piece| piece.positions_m(positions_m));
         positions_m.iter().copied().chain(of_pieces).collect()
     }
 
-    /// Ways of all vertices: the pieces stay.
-    pub fn ways(&self, ways: &[DVec3]) -> Vec<DVec3> {
-        let mut ways = ways.to_vec();
-        ways.resize(self.topology.vertex_count(), DVec3::ZERO);
-        ways
+    /// Displacements of all vertices; those of the pieces are zero.
+    pub fn displacements(&self, displacements: &[DVec3]) -> Vec<DVec3> {
+        let mut displacements = displacements.to_vec();
+        displacements.resize(self.topology.vertex_count(), DVec3::ZERO);
+        displacements
     }
 
     fn stencils(&self) -> impl Iterator<Item = &Vec<(u32, f64)>> {
@@ -197,19 +199,20 @@ impl Parted {
 }
 
 impl Piece {
-    /// The piece and its triangles; its vertices are numbered from `first`.
+    /// Creates a piece and its triangles; vertices are numbered from `first`.
     fn new(opening: Opening, filling: &[[u32; 3]], first: u32, mesh_count: usize) -> (Self, Vec<[u32; 3]>) {
-        let mut of_mesh: Vec<u32> = filling.iter().flatten().copied().collect();
-        of_mesh.sort_unstable();
-        of_mesh.dedup();
-        let local = |vertex: &u32| of_mesh.partition_point(|known| known < vertex) as u32;
+        let mut mesh_vertices: Vec<u32> = filling.iter().flatten().copied().collect();
+        mesh_vertices.sort_unstable();
+        mesh_vertices.dedup();
+        let local = |vertex: &u32| mesh_vertices.partition_point(|known| known < vertex) as u32;
         let triangles = filling.iter().map(|corners| corners.each_ref().map(local)).collect();
-        let whole = Topology::new(of_mesh.len(), triangles).expect("invariant: a part of a mesh is one");
+        let whole = Topology::new(mesh_vertices.len(), triangles).expect("invariant: a part of a mesh is a mesh");
         let is_landmark = mesh_count == crate::LANDMARK_COUNT;
-        // Every edge a crease: what is added lies half way along it.
-        let dense = LoopSubdivision::creased(&whole, whole.edges(), if is_landmark { TIMES_CUT } else { 0 });
+        // With all edges creased, added vertices lie at the edges' midpoints.
+        let dense = LoopSubdivision::creased(&whole, whole.edges(), if is_landmark { SUBDIVISIONS } else { 0 });
         let inside = dense.topology().vertex_count();
-        let made_of = |vertex| dense.stencil(vertex).map(|(of, share)| (of_mesh[of as usize], share)).collect();
+        let made_of =
+            |vertex| dense.stencil(vertex).map(|(source, weight)| (mesh_vertices[source as usize], weight)).collect();
         let mut stencils: Vec<Vec<(u32, f64)>> = (0..inside as u32).map(made_of).collect();
         let mut triangles = dense.topology().triangles().to_vec();
         let rim = dense.topology().boundary_loops().into_iter().next().unwrap_or_default();
@@ -221,7 +224,9 @@ impl Piece {
                 let next = (at + 1) % rim.len();
                 triangles.extend([[inner(next), inner(at), outer(at)], [inner(next), outer(at), outer(next)]]);
             }
-            stencils.extend(rim.iter().map(|&on_rim| behind(&stencils[on_rim as usize], &of_mesh)).collect::<Vec<_>>());
+            stencils.extend(
+                rim.iter().map(|&on_rim| behind(&stencils[on_rim as usize], &mesh_vertices)).collect::<Vec<_>>(),
+            );
         }
         let vertices = first..first + stencils.len() as u32;
         let triangles = triangles.into_iter().map(|corners| corners.map(|corner| corner + first)).collect();
@@ -230,7 +235,8 @@ impl Piece {
     }
 
     fn positions_m(&self, mesh_m: &[DVec3]) -> Vec<DVec3> {
-        let flat = |stencil: &Vec<(u32, f64)>| stencil.iter().map(|&(of, share)| mesh_m[of as usize] * share).sum();
+        let flat =
+            |stencil: &Vec<(u32, f64)>| stencil.iter().map(|&(source, weight)| mesh_m[source as usize] * weight).sum();
         let flat_m: Vec<DVec3> = self.stencils[..self.inside].iter().map(flat).collect();
         let mut positions_m: Vec<DVec3> = match self.opening {
             Opening::Mouth => flat_m.iter().map(|at| *at - DVec3::Z * MOUTH_BEHIND_M).collect(),
@@ -250,7 +256,7 @@ impl Piece {
         positions_m
     }
 
-    /// As round as a ball, from lid to lid: a parabola with the ball's curvature, which ends at the lids' edges.
+    /// Bulges an eye between its lids: a parabola with the eyeball's curvature that ends at the lid edges.
     fn rounded(&self, flat_m: &[DVec3], mesh_m: &[DVec3]) -> Vec<DVec3> {
         let [outer, inner] = self.corners.map(|corner| mesh_m[corner as usize]);
         let across = inner - outer;
@@ -270,12 +276,12 @@ impl Piece {
     }
 }
 
-/// What goes on behind the skin shows what lies as much inside as it lies outside: the mirror's picture.
-fn behind(on_rim: &[(u32, f64)], of_mesh: &[u32]) -> Vec<(u32, f64)> {
+/// Stencil of a vertex behind the skin: it samples the texture inside the rim, as a mirror image of the surroundings.
+fn behind(on_rim: &[(u32, f64)], mesh_vertices: &[u32]) -> Vec<(u32, f64)> {
     const INSIDE: f64 = 0.3;
-    let middle = INSIDE / of_mesh.len() as f64;
-    let own = on_rim.iter().map(|&(of, share)| (of, share * (1.0 - INSIDE)));
-    own.chain(of_mesh.iter().map(|&of| (of, middle))).collect()
+    let middle = INSIDE / mesh_vertices.len() as f64;
+    let own = on_rim.iter().map(|&(source, weight)| (source, weight * (1.0 - INSIDE)));
+    own.chain(mesh_vertices.iter().map(|&source| (source, middle))).collect()
 }
 
 fn corners(opening: Opening) -> [u32; 2] {

@@ -4,41 +4,40 @@ use std::str::FromStr;
 
 use crate::FaceError;
 
-/// Lens data of a photo. As text: `estimated`, `parallel`, `exif:26`, `given:26` (mm) or
-/// `distance:0.35` (m).
+/// Lens data of a photo. Text form: `estimated`, `parallel`, `exif:26` or `given:26` (mm), `distance:0.35` (m).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum PhotoLens {
-    /// Nothing: how far away the camera stood is read off the landmarks.
+    /// No data: the distance is estimated from the landmarks.
     #[default]
     Estimated,
-    /// The camera is taken to stand infinitely far away: landmarks are read as they are.
+    /// Parallel projection: the landmarks are used without perspective correction.
     Parallel,
-    /// The focal length in mm that the photo's EXIF gives, for a frame of 36 × 24 mm. It is set aside where the landmarks
-    /// contradict it, as in a picture that was cut out of another.
+    /// 35-mm-equivalent focal length in mm from EXIF. Ignored if the landmarks contradict it, as in a crop of another
+    /// picture.
     Exif(f64),
-    /// The focal length in mm for a frame of 36 × 24 mm, as somebody gives it.
+    /// 35-mm-equivalent focal length in mm, given by the user.
     Given(f64),
-    /// How far away the camera stood from the face, in m.
+    /// Distance from the camera to the face, in m.
     Distance(f64),
 }
 
-/// How far a camera can stand from a face, in m: farther away no distance can be told from another.
+/// Range of distances, in m; beyond it, distances cannot be distinguished.
 pub const DISTANCES_M: RangeInclusive<f64> = 0.1..=20.0;
-/// Focal lengths for a frame of 36 × 24 mm, in mm.
+/// Range of 35-mm-equivalent focal lengths, in mm.
 const FOCAL_LENGTHS_MM: RangeInclusive<f64> = 5.0..=2000.0;
 
 impl PhotoLens {
-    /// Refuses numbers that no camera has.
+    /// Checks the ranges.
     ///
     /// # Errors
-    /// [`FaceError::Lens`].
+    /// [`FaceError::Lens`] if a number is out of range.
     pub fn checked(self) -> Result<Self, FaceError> {
-        let is_one = match self {
+        let is_valid = match self {
             Self::Estimated | Self::Parallel => true,
             Self::Exif(mm) | Self::Given(mm) => FOCAL_LENGTHS_MM.contains(&mm),
             Self::Distance(m) => DISTANCES_M.contains(&m),
         };
-        if is_one { Ok(self) } else { Err(FaceError::Lens { lens: self.to_string() }) }
+        if is_valid { Ok(self) } else { Err(FaceError::Lens { lens: self.to_string() }) }
     }
 }
 

@@ -3,7 +3,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::FaceError;
 
-/// A rotation, one scale and a translation: `target = scale · rotation · source + translation`.
+/// A similarity transform: `target = scale · rotation · source + translation`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Similarity {
     pub scale: f64,
@@ -23,7 +23,7 @@ impl Similarity {
     }
 }
 
-/// One correspondence of the fit.
+/// A weighted correspondence.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pair {
     pub source: DVec3,
@@ -31,10 +31,10 @@ pub(crate) struct Pair {
     pub weight: f64,
 }
 
-/// The similarity from source to target with the least weighted squared error (Umeyama 1991, with weights).
+/// Similarity transform with the least weighted squared error (Umeyama 1991, with weights).
 ///
 /// # Errors
-/// [`FaceError::Degenerate`] if the points of either side lie on one line.
+/// [`FaceError::Degenerate`] if the source or target points are collinear.
 pub(crate) fn fit(pairs: &[Pair]) -> Result<Similarity, FaceError> {
     let total: f64 = pairs.iter().map(|pair| pair.weight).sum();
     let source_mean = pairs.iter().map(|pair| pair.source * pair.weight).sum::<DVec3>() / total;
@@ -51,9 +51,9 @@ pub(crate) fn fit(pairs: &[Pair]) -> Result<Similarity, FaceError> {
     Ok(Similarity { scale, rotation, translation: target_mean - rotation * source_mean * scale })
 }
 
-/// The proper rotation closest to the covariance, and the trace of `D·S` that gives the scale.
+/// The proper rotation closest to the covariance, and the trace of `D·S`, which gives the scale.
 fn rotation_and_trace(covariance: &Matrix3<f64>) -> Result<(DMat3, f64), FaceError> {
-    // A covariance of rank two, as of a flat face, still names one proper rotation; one of rank one does not.
+    // A covariance of rank two, as of a flat face, still determines a proper rotation; rank one does not.
     const RANK_TOLERANCE: f64 = 1e-9;
     let svd = covariance.svd(true, true);
     let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return Err(FaceError::Degenerate) };

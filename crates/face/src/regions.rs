@@ -2,17 +2,17 @@ use crate::areas::Area;
 use crate::mirror_of;
 
 rosto_mesh::named! {
-    /// A named part of the face, for moving, pinning or finding its landmarks together.
+    /// A named region of the face, for selecting, moving or fixing its landmarks together.
     ///
-    /// Left and right are the subject's. Regions may overlap: the nose holds its tip, the lips hold both lips.
+    /// Left and right are the subject's. Regions may overlap: the nose includes its tip, the lips both lips.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     #[non_exhaustive]
     pub enum Region {
         /// From the hairline to above the brows.
         Forehead = "forehead",
-        /// The temple beside the right eye.
+        /// The temple next to the right eye.
         RightTemple = "right-temple",
-        /// The temple beside the left eye.
+        /// The temple next to the left eye.
         LeftTemple = "left-temple",
         /// The right brow.
         RightBrow = "right-brow",
@@ -44,9 +44,9 @@ rosto_mesh::named! {
         RightCheekbone = "right-cheekbone",
         /// The left cheekbone.
         LeftCheekbone = "left-cheekbone",
-        /// The right cheek below its bone.
+        /// The right cheek below the cheekbone.
         RightCheek = "right-cheek",
-        /// The left cheek below its bone.
+        /// The left cheek below the cheekbone.
         LeftCheek = "left-cheek",
         /// Both lips and the corners of the mouth.
         Lips = "lips",
@@ -83,7 +83,7 @@ impl Side {
 }
 
 impl Region {
-    /// The region's landmarks, ascending.
+    /// Landmarks of the region, ascending.
     pub fn vertices(self) -> Vec<u32> {
         let (areas, side) = self.definition();
         let right = areas.iter().flat_map(|area| area.right_half()).map(|&landmark| u32::from(landmark));
@@ -97,7 +97,7 @@ impl Region {
         vertices
     }
 
-    /// The regions that a landmark is part of, from the smallest to the largest.
+    /// Regions that contain a landmark, from the smallest to the largest.
     pub fn containing(landmark: u32) -> Vec<Self> {
         let sized = Self::ALL.into_iter().map(|region| (region.vertices(), region));
         let mut found: Vec<_> = sized.filter(|(vertices, _)| vertices.contains(&landmark)).collect();
@@ -105,7 +105,7 @@ impl Region {
         found.into_iter().map(|(_, region)| region).collect()
     }
 
-    /// The region that this one becomes in the mirror.
+    /// The mirror image of the region.
     pub fn mirrored(self) -> Self {
         let (areas, side) = self.definition();
         let image = (areas, side.mirrored());

@@ -1,46 +1,46 @@
-//! How large a face really is, by its irises.
+//! Size of a face, measured by its irises.
 
 use glam::DVec3;
 
 use crate::LANDMARK_COUNT;
 use crate::irises::{MIDDLE_OF_LIDS, POINT_COUNT, POINTS_OF_AN_IRIS};
 
-/// How large a face is, and how that is known.
+/// Source and accuracy of a face's size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
-    /// Whether it was measured on the irises; else the face is as large as the canonical one.
+    /// Irises if they were measured, otherwise the canonical face.
     pub source: ScaleSource,
-    /// One standard deviation of every length, as a share of it.
+    /// Relative standard deviation of lengths.
     pub error: f64,
 }
 
 rosto_mesh::named! {
-    /// What a face's size was taken from.
+    /// Reference for a face's size.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum ScaleSource {
-        /// The irises, 11.7 mm across in nearly everybody.
+        /// The irises, with an average diameter of 11.7 mm.
         Irises = "irises",
-        /// The canonical face: an average adult's.
+        /// The canonical face, an average adult.
         Canonical = "canonical",
     }
 }
 
-/// Across an iris, and its deviation between people, in metres (Hashemi et al. 2009; MediaPipe Iris).
+/// Diameter of an iris and its deviation in the population, in metres (Hashemi et al. 2009; MediaPipe Iris).
 const IRIS_M: f64 = 0.011_7;
 const IRIS_DEVIATION_M: f64 = 0.000_5;
 
-/// How much adults differ in size.
+/// Relative deviation of adults' head size.
 const CANONICAL_ERROR: f64 = 0.06;
 
-/// An iris that the lids leave less of, as a share of its diameter, cannot be seen well enough.
+/// Smallest visible height of an iris between the lids, relative to its diameter.
 const LEAST_OPENING: f64 = 0.45;
-/// Both irises, and height and width of each, differ by no more than this share.
+/// Largest relative difference between both irises, and between height and width of one.
 const MOST_DIFFERENCE: f64 = 0.25;
-/// What the irises say of the size of a face, beside the canonical one's.
+/// Plausible sizes relative to the canonical face.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.7..=1.35;
 
-/// How many times the canonical face's size this face has, and how well that is known. `unprojected` are its points in px,
-/// those of the irises behind the landmarks, if there are any; `m_per_px` makes the face as large as the canonical one.
+/// Size of a face relative to the canonical face, with its accuracy. `unprojected` has the landmarks in px, followed by
+/// the irises, if any; `m_per_px` scales the face to canonical size.
 pub(crate) fn scale(unprojected: &[DVec3], m_per_px: f64) -> (f64, Scale) {
     let canonical = (1.0, Scale { source: ScaleSource::Canonical, error: CANONICAL_ERROR });
     let Some(irises) = unprojected.get(LANDMARK_COUNT..POINT_COUNT) else { return canonical };
@@ -55,7 +55,7 @@ pub(crate) fn scale(unprojected: &[DVec3], m_per_px: f64) -> (f64, Scale) {
     (factor, Scale { source: ScaleSource::Irises, error: (IRIS_DEVIATION_M / IRIS_M).hypot(difference / 2.0) })
 }
 
-/// Across one iris, if enough of it is seen: the longer of its two axes, since a turn or a look aside shortens the other.
+/// Diameter of an iris if enough of it is visible: the longer axis, since rotation and gaze shorten the other.
 fn diameter(iris: &[DVec3], [upper, lower]: [DVec3; 2]) -> Option<f64> {
     let [wide, high] = [[1, 3], [2, 4]].map(|[a, b]: [usize; 2]| iris[a].distance(iris[b]));
     let diameter = wide.max(high);

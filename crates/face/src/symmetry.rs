@@ -1,13 +1,13 @@
 use crate::tables::LANDMARK_COUNT;
 
-/// The landmarks of the midline, ascending.
+/// Landmarks of the midline, ascending.
 pub const MIDLINE: [u32; 28] =
     [0, 1, 2, 4, 5, 6, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 94, 151, 152, 164, 168, 175, 195, 197, 199, 200];
 
-/// The first landmark of the left side: from here on they are the right ones' partners, in the same order.
+/// First landmark of the left side; these are the partners of the right ones, in the same order.
 const FIRST_LEFT: u32 = 248;
 
-/// The landmark on the other side of the face; a landmark of the midline is its own.
+/// Mirror partner of a landmark; a landmark of the midline is its own partner.
 ///
 /// # Panics
 /// If `landmark` is not below [`LANDMARK_COUNT`].

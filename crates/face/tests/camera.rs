@@ -1,4 +1,4 @@
-//! The camera and the size of a face: what a pinhole camera sees is taken apart into the face that it saw.
+//! Recovery of the face and the camera from landmarks of a pinhole camera.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -8,17 +8,16 @@ use rosto_face::*;
 
 const SIZE_PX: [u32; 2] = [900, 1200];
 
-/// A head before a camera.
+/// A head in front of a camera.
 #[derive(Debug, Clone, Copy)]
 struct Scene {
     distance_m: f64,
     /// Yaw, pitch and roll in degrees.
     pose_deg: [f64; 3],
-    /// Times the canonical face's size.
+    /// Size relative to the canonical face.
     size: f64,
-    /// Where the middle of the face is seen, in px from the principal point.
+    /// Image position of the face's centre, in px from the principal point.
     aside_px: [f64; 2],
-    /// Of the lens.
     focal_px: f64,
 }
 
@@ -29,20 +28,20 @@ fn rotation(pose_deg: [f64; 3]) -> DQuat {
     DQuat::from_euler(glam::EulerRot::YXZ, yaw, pitch, roll)
 }
 
-/// The canonical face, with irises of 11.7 mm at its eyes if asked for, in metres.
+/// The canonical face in metres, optionally with irises of 11.7 mm at its eyes.
 fn head(with_irises: bool) -> Vec<DVec3> {
     let mut head = canonical_positions_m();
     if with_irises {
         let middles = [[159, 145], [386, 374]].map(|[a, b]: [usize; 2]| (head[a] + head[b]) / 2.0);
         for middle in middles {
             let around = [DVec3::ZERO, DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y];
-            head.extend(around.map(|way| middle + way * 0.011_7 / 2.0));
+            head.extend(around.map(|direction| middle + direction * 0.011_7 / 2.0));
         }
     }
     head
 }
 
-/// What a camera sees of a head, in MediaPipe's convention: depths about their mean, as large as the rest is seen there.
+/// Landmarks of a head in a photo, in MediaPipe's convention: depths relative to their mean, at the image's scale.
 fn landmarks(head: &[DVec3], scene: Scene) -> Vec<[f32; 3]> {
     let turned: Vec<DVec3> = head.iter().map(|&p| rotation(scene.pose_deg) * p * scene.size).collect();
     let mean = turned[..LANDMARK_COUNT].iter().sum::<DVec3>() / LANDMARK_COUNT as f64;
@@ -69,7 +68,7 @@ fn furthest_m(a: &[DVec3], b: &[DVec3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
 }
 
-/// The lens that has that focal length in px before pictures of [`SIZE_PX`].
+/// 35-mm-equivalent focal length of a lens with `focal_px` for pictures of [`SIZE_PX`].
 fn lens_mm(focal_px: f64) -> f64 {
     focal_px * 36_f64.hypot(24.0) / f64::from(SIZE_PX[0]).hypot(f64::from(SIZE_PX[1]))
 }
@@ -78,7 +77,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn a_head_seen_through_a_known_lens_is_found_as_it_is_and_as_it_is_turned(
+    fn head_and_pose_are_recovered_for_a_known_lens(
         distance_m in 0.25..2.0f64,
         yaw in -40.0..40.0f64, pitch in -25.0..25.0f64, roll in -50.0..50.0f64,
         aside_px in prop::array::uniform2(-200.0..200.0f64),
@@ -87,16 +86,16 @@ proptest! {
         let scene = Scene { distance_m, pose_deg: [yaw, pitch, roll], size, aside_px, focal_px: 3000.0 * distance_m };
         let seen = landmarks(&head(false), scene);
         let model = model(&seen, PhotoLens::Given(lens_mm(scene.focal_px)));
-        prop_assert!(furthest_m(model.positions_m(), &canonical_positions_m()) < 2e-6, "f32 comes in");
+        prop_assert!(furthest_m(model.positions_m(), &canonical_positions_m()) < 2e-6, "limited by f32 landmarks");
         let (camera, pose) = (model.camera(), model.camera().pose());
         let found = [pose.yaw_deg, pose.pitch_deg, pose.roll_deg];
         prop_assert!(found.iter().zip([yaw, pitch, roll]).all(|(a, b)| (a - b).abs() < 0.01), "{found:?}");
-        // A photo does not tell a large head from a near one.
+        // A photo does not distinguish a large head from a near one.
         prop_assert!((camera.distance_m * size / distance_m - 1.0).abs() < 1e-4, "{}", camera.distance_m);
     }
 
     #[test]
-    fn the_model_lies_on_the_photo_where_its_camera_sees_it(
+    fn the_projected_model_coincides_with_the_photo(
         lens in prop_oneof![
             Just(PhotoLens::Estimated),
             (20.0..200.0f64).prop_map(PhotoLens::Given),
@@ -113,9 +112,9 @@ proptest! {
         let seen = landmarks(&bumpy, Scene { pose_deg: [yaw, 5.0, 3.0], aside_px: [60.0, -40.0], ..FRONT });
         let model = model(&seen, lens);
         let camera = model.camera();
-        for (&place, at) in model.positions_m().iter().chain(model.irises_m()).zip(&seen) {
-            let p = camera.camera_from_model.transform_point3(place);
-            prop_assert!(p.z < 0.0, "before the camera");
+        for (&position, at) in model.positions_m().iter().chain(model.irises_m()).zip(&seen) {
+            let p = camera.camera_from_model.transform_point3(position);
+            prop_assert!(p.z < 0.0, "in front of the camera");
             let on_photo = camera.principal_px + DVec2::new(p.x, -p.y) * camera.focal_px / -p.z;
             let expected = DVec2::new(f64::from(at[0]) * 900.0, f64::from(at[1]) * 1200.0);
             prop_assert!(on_photo.distance(expected) < 1e-6, "{on_photo} {expected}");
@@ -123,7 +122,7 @@ proptest! {
     }
 
     #[test]
-    fn a_lens_reads_back_from_its_text(mm in 5.0..2000.0f64, m in 0.1..20.0f64) {
+    fn lenses_round_trip_as_text(mm in 5.0..2000.0f64, m in 0.1..20.0f64) {
         for lens in [PhotoLens::Estimated, PhotoLens::Parallel, PhotoLens::Exif(mm), PhotoLens::Given(mm), PhotoLens::Distance(m)] {
             prop_assert_eq!(lens.to_string().parse::<PhotoLens>().unwrap(), lens);
         }
@@ -133,19 +132,19 @@ proptest! {
     }
 }
 
-/// From where a face seems to be seen in the network's landmarks: they show a third less of the difference that perspective
-/// makes beside a face seen from 60 cm, or a fifth less where it is farther away.
-fn shown_m(distance_m: f64) -> f64 {
+/// Apparent distance in the network's landmarks: they under-represent the perspective difference from 60 cm, by a third
+/// if nearer and a fifth if farther.
+fn apparent_m(distance_m: f64) -> f64 {
     let share = if distance_m < 0.6 { 0.68 } else { 0.8 };
     1.0 / (1.0 / 0.6 + share * (1.0 / distance_m - 1.0 / 0.6))
 }
 
 #[test]
-fn the_distance_of_a_face_that_looks_at_the_camera_is_read_off_it() {
+fn the_distance_of_a_frontal_face_is_estimated() {
     for distance_m in [0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.8, 1.0] {
         for pose_deg in [[0.0, 0.0, 0.0], [8.0, 0.0, 20.0], [0.0, -8.0, -70.0], [-6.0, 6.0, 180.0]] {
-            let shown_m = shown_m(distance_m);
-            let scene = Scene { distance_m: shown_m, pose_deg, focal_px: 2500.0 * shown_m, ..FRONT };
+            let apparent_m = apparent_m(distance_m);
+            let scene = Scene { distance_m: apparent_m, pose_deg, focal_px: 2500.0 * apparent_m, ..FRONT };
             let found_m = model(&landmarks(&head(false), scene), PhotoLens::Estimated).camera().distance_m;
             let most = if distance_m > 0.6 { 0.08 } else { 0.01 };
             assert!((found_m / distance_m - 1.0).abs() < most, "{distance_m} m at {pose_deg:?}: {found_m}");
@@ -154,29 +153,29 @@ fn the_distance_of_a_face_that_looks_at_the_camera_is_read_off_it() {
 }
 
 #[test]
-fn lens_data_of_another_picture_are_set_aside() {
+fn lens_data_that_contradict_the_landmarks_are_rejected() {
     let scene = Scene { distance_m: 0.6, focal_px: 3000.0, ..FRONT };
     let seen = landmarks(&head(false), scene);
     let sound = model(&seen, PhotoLens::Exif(lens_mm(3000.0)));
     assert!(matches!(sound.camera().lens, PhotoLens::Exif(_)));
-    // As if all of the frame had been seen, where this is a small part of it.
-    let of_the_whole = PhotoLens::Exif(lens_mm(900.0));
-    let cut_out = model(&seen, of_the_whole);
-    assert_eq!(cut_out.camera().lens, PhotoLens::Estimated);
-    assert_eq!(cut_out.lens(), of_the_whole, "what the photo says stays known");
-    assert!((cut_out.camera().distance_m / 0.6 - 1.0).abs() < 0.15);
+    // EXIF of the whole frame, although the picture is a small crop.
+    let of_whole_frame = PhotoLens::Exif(lens_mm(900.0));
+    let cropped = model(&seen, of_whole_frame);
+    assert_eq!(cropped.camera().lens, PhotoLens::Estimated);
+    assert_eq!(cropped.lens(), of_whole_frame, "the lens data are retained");
+    assert!((cropped.camera().distance_m / 0.6 - 1.0).abs() < 0.15);
 }
 
 #[test]
-fn irises_tell_the_size_and_closed_eyes_do_not() {
+fn irises_determine_the_size_unless_the_eyes_are_closed() {
     for size in [0.85, 1.0, 1.15] {
         let scene = Scene { focal_px: 1500.0, ..FRONT };
-        // The head is larger, its irises are as everybody's.
+        // The head is scaled; its irises keep their size.
         let mut grown: Vec<DVec3> = head(true).iter().map(|&p| p * size).collect();
         for eye in 0..2 {
             let at = LANDMARK_COUNT + 5 * eye;
-            let middle = grown[at];
-            grown[at..at + 5].iter_mut().for_each(|p| *p = middle + (*p - middle) / size);
+            let centre = grown[at];
+            grown[at..at + 5].iter_mut().for_each(|p| *p = centre + (*p - centre) / size);
         }
         let open = model(&landmarks(&grown, scene), PhotoLens::Given(lens_mm(1500.0)));
         assert_eq!(open.scale().source, ScaleSource::Irises);
@@ -194,7 +193,7 @@ fn irises_tell_the_size_and_closed_eyes_do_not() {
 }
 
 #[test]
-fn another_lens_and_back_is_the_same_model() {
+fn changing_the_lens_is_reversible() {
     let seen = landmarks(&head(true), Scene { pose_deg: [12.0, 3.0, 0.0], ..FRONT });
     let near = model(&seen, PhotoLens::Distance(0.3));
     let far = near.with_lens(PhotoLens::Distance(1.5)).unwrap();

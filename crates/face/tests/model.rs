@@ -1,4 +1,4 @@
-//! Landmarks to a metric model: what the pose, the picture's shape and the mirror may and may not change.
+//! Invariances of the metric model under pose, picture size and mirroring.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use rosto_face::*;
 
-/// Landmarks are f32 and a face fills a fifth of the picture: a tenth of a micrometre is lost on the way in.
+/// Landmarks are f32 and a face fills a fifth of the picture, so rounding errors are about 0.1 µm.
 const TOLERANCE_M: f64 = 1e-6;
 
 struct Portrait {
@@ -34,7 +34,7 @@ fn model(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<FaceModel, F
     FaceModel::new(input, Triangulation::Canonical)
 }
 
-/// The portrait's landmarks in px after a change made there.
+/// Transforms the portrait's landmarks in px.
 fn changed_in_px(portrait: &Portrait, change: impl Fn(DVec3) -> DVec3) -> Vec<[f32; 3]> {
     let size = DVec3::new(portrait.width.into(), portrait.height.into(), portrait.width.into());
     let px = portrait.landmarks.iter().map(|p| DVec3::from(p.map(f64::from)) * size);
@@ -46,7 +46,7 @@ fn furthest_m(a: &[DVec3], b: &[DVec3]) -> f64 {
 }
 
 #[test]
-fn the_portrait_looks_along_z_upright_and_as_large_as_the_canonical_head() {
+fn the_portrait_is_upright_frontal_and_of_canonical_size() {
     let portrait = portrait();
     let model = model(&portrait.landmarks, portrait.width, portrait.height).unwrap();
     let at = |landmark: usize| model.positions_m()[landmark];
@@ -55,25 +55,25 @@ fn the_portrait_looks_along_z_upright_and_as_large_as_the_canonical_head() {
     assert!(nose_tip.z > at(234).z + 0.05 && nose_tip.z > at(454).z + 0.05, "nose towards the viewer");
     assert!(left_eye.x > 0.03 && right_eye.x < -0.03, "the subject's left towards +X");
     let level = (left_eye - right_eye).normalize();
-    assert!(level.x > 0.995, "the head's tilt is taken out: {level}");
+    assert!(level.x > 0.995, "the head's tilt is removed: {level}");
     let canonical = canonical_positions_m();
     let ratio = left_eye.distance(right_eye) / canonical[263].distance(canonical[33]);
     assert!((0.9..1.1).contains(&ratio), "eyes {ratio} of the canonical distance apart");
 }
 
 #[test]
-fn ways_in_the_model_map_back_onto_the_picture() {
+fn model_displacements_map_to_image_displacements() {
     let portrait = portrait();
     let model = model(&portrait.landmarks, portrait.width, portrait.height).unwrap();
     let (metric, image) = (model.positions_m(), model.positions_image());
     for landmark in 1..LANDMARK_COUNT {
-        let way = model.image_from_model() * (metric[landmark] - metric[0]);
-        assert!(way.distance(image[landmark] - image[0]) < 1e-12);
+        let mapped = model.image_from_model() * (metric[landmark] - metric[0]);
+        assert!(mapped.distance(image[landmark] - image[0]) < 1e-12);
     }
 }
 
 #[test]
-fn a_picture_padded_to_another_shape_gives_the_same_model() {
+fn padding_the_picture_does_not_change_the_model() {
     let portrait = portrait();
     let square = model(&portrait.landmarks, portrait.width, portrait.height).unwrap();
     let halved: Vec<[f32; 3]> = portrait.landmarks.iter().map(|&[x, y, z]| [x, y / 2.0, z]).collect();
@@ -97,7 +97,7 @@ fn a_mirrored_photo_gives_the_mirrored_model() {
 }
 
 #[test]
-fn what_is_no_face_is_refused_with_numbers() {
+fn invalid_landmarks_are_refused() {
     let portrait = portrait();
     let count = model(&portrait.landmarks[..400], 512, 512).unwrap_err();
     assert_eq!(count, FaceError::WrongCount { what: "landmarks", expected: 468, found: 400 });
@@ -115,7 +115,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn pose_place_and_size_in_the_picture_do_not_matter(
+    fn the_model_is_invariant_to_pose_position_and_size(
         axis in prop::array::uniform3(-1.0..1.0f64),
         angle in -3.0..3.0f64,
         scale in 0.3..3.0f64,

@@ -1,15 +1,15 @@
-//! Eyes and mouth in pieces of their own: the skin stays as it is, and the pieces lie behind it.
+//! Separate pieces for eyes and mouth.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::collections::BTreeSet;
 
 use glam::DVec3;
-use rosto_face::{Opening, Parted, Triangulation, canonical_positions_m, canonical_uvs, without_fillings};
+use rosto_face::{Opening, SplitFace, Triangulation, canonical_positions_m, canonical_uvs, without_fillings};
 use rosto_mesh::LoopSubdivision;
 
 #[test]
-fn openings_are_the_holes_of_the_published_mesh() {
+fn openings_match_the_holes_of_the_tessellation() {
     let loops = Triangulation::Tessellation.topology().boundary_loops();
     let holes: BTreeSet<BTreeSet<u32>> = loops[1..].iter().map(|hole| hole.iter().copied().collect()).collect();
     let rims: BTreeSet<BTreeSet<u32>> =
@@ -19,30 +19,30 @@ fn openings_are_the_holes_of_the_published_mesh() {
 }
 
 #[test]
-fn the_skin_keeps_its_order_and_pieces_share_no_vertex_with_it() {
+fn pieces_share_no_vertices_with_the_skin() {
     let face = Triangulation::Canonical.triangles();
     for density in [0, 1, 2] {
         let dense = LoopSubdivision::new(&Triangulation::Canonical.topology(), density);
-        let parted = Parted::new(&face, dense.topology());
+        let split_face = SplitFace::new(&face, dense.topology());
         let skin = without_fillings(&face, dense.topology().triangles());
-        assert_eq!(parted.topology().triangles()[..skin.len()], skin);
+        assert_eq!(split_face.topology().triangles()[..skin.len()], skin);
         let first = dense.topology().vertex_count() as u32;
-        let of_pieces = &parted.topology().triangles()[skin.len()..];
+        let of_pieces = &split_face.topology().triangles()[skin.len()..];
         assert!(of_pieces.iter().flatten().all(|&corner| corner >= first));
-        assert_eq!(parted.pieces().iter().map(|piece| piece.opening).collect::<Vec<_>>(), Opening::ALL);
-        assert_eq!(parted.uvs(&dense.apply(&canonical_uvs())).len(), parted.topology().vertex_count());
+        assert_eq!(split_face.pieces().iter().map(|piece| piece.opening).collect::<Vec<_>>(), Opening::ALL);
+        assert_eq!(split_face.uvs(&dense.apply(&canonical_uvs())).len(), split_face.topology().vertex_count());
     }
     let open = Triangulation::Tessellation;
-    assert!(Parted::new(&open.triangles(), &open.topology()).pieces().is_empty());
+    assert!(SplitFace::new(&open.triangles(), &open.topology()).pieces().is_empty());
 }
 
 #[test]
-fn eyes_are_round_and_lie_behind_the_lids() {
+fn eyes_bulge_behind_the_lids() {
     let positions_m = canonical_positions_m();
-    let parted = Parted::new(&Triangulation::Canonical.triangles(), &Triangulation::Canonical.topology());
-    let placed_m = parted.positions_m(&positions_m);
+    let split_face = SplitFace::new(&Triangulation::Canonical.triangles(), &Triangulation::Canonical.topology());
+    let placed_m = split_face.positions_m(&positions_m);
     assert_eq!(placed_m[..positions_m.len()], positions_m);
-    let [right, left, _mouth] = parted.pieces() else { panic!("two eyes and a mouth") };
+    let [right, left, _mouth] = split_face.pieces() else { panic!("two eyes and a mouth") };
     for (piece, lids) in [(right, [159, 145]), (left, [386, 374])] {
         let [upper, lower] = lids.map(|lid: usize| positions_m[lid]);
         let of_piece = &placed_m[piece.vertices.start as usize..piece.vertices.end as usize];
@@ -56,6 +56,6 @@ fn eyes_are_round_and_lie_behind_the_lids() {
                 at.z >= positions_m[lid as usize].z && at.truncate() == positions_m[lid as usize].truncate()
             })
         };
-        assert!(!of_piece.iter().any(touches), "a rim lies before its lid");
+        assert!(!of_piece.iter().any(touches), "a rim is in front of its lid");
     }
 }

@@ -1,4 +1,4 @@
-//! What a photo's camera makes of places in the model: landmarks come back to where they were, from every distance.
+//! Projection of model points by the photo's camera, at its own and at other distances.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -15,14 +15,14 @@ const LENSES: [PhotoLens; 6] = [
     PhotoLens::Distance(0.35),
 ];
 
-/// A turned head beside the middle of the photo, seen from 40 cm.
+/// A turned head away from the centre of the photo, seen from 40 cm.
 fn landmarks() -> Vec<[f32; 3]> {
     let turn = DQuat::from_euler(glam::EulerRot::YXZ, 0.2, -0.1, 0.15);
-    let head: Vec<DVec3> = canonical_positions_m().into_iter().map(|place_m| turn * place_m).collect();
+    let head: Vec<DVec3> = canonical_positions_m().into_iter().map(|position_m| turn * position_m).collect();
     let mean_m = head.iter().sum::<DVec3>() / head.len() as f64;
     let [width, height] = SIZE_PX.map(f64::from);
-    let seen = head.iter().map(|place_m| {
-        let at_m = *place_m - mean_m + DVec3::new(0.05, 0.03, 0.0);
+    let seen = head.iter().map(|position_m| {
+        let at_m = *position_m - mean_m + DVec3::new(0.05, 0.03, 0.0);
         let at_px = at_m.truncate() * 1000.0 / (0.4 - at_m.z);
         [(at_px.x + width / 2.0) / width, (height / 2.0 - at_px.y) / height, -at_m.z * 2500.0 / width]
     });
@@ -37,7 +37,7 @@ fn model(lens: PhotoLens) -> FaceModel {
         .unwrap()
 }
 
-/// Places around the face and beside it, in the camera's frame, from the middle of the face.
+/// Offsets from the face's centre in the camera's frame, within and around the face.
 fn around() -> impl Iterator<Item = DVec3> {
     let steps = || [-0.1, 0.0, 0.07].into_iter();
     steps().flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| DVec3::new(x, y, z))))
@@ -48,12 +48,12 @@ fn middle_m(face: &FaceModel) -> DVec3 {
 }
 
 #[test]
-fn landmarks_are_seen_where_they_were_found() {
+fn landmarks_project_to_their_image_positions() {
     let size_px = DVec2::from(SIZE_PX.map(f64::from));
     for lens in LENSES {
         let face = model(lens);
-        for (place_m, found) in face.positions_m().iter().zip(face.positions_image()) {
-            let seen_px = face.camera().project(*place_m).unwrap();
+        for (position_m, found) in face.positions_m().iter().zip(face.positions_image()) {
+            let seen_px = face.camera().project(*position_m).unwrap();
             let apart_px = seen_px.distance(found.truncate() * size_px);
             assert!(apart_px < 1e-6, "{lens:?}: {apart_px} px from {seen_px}");
         }
@@ -61,7 +61,7 @@ fn landmarks_are_seen_where_they_were_found() {
 }
 
 #[test]
-fn what_is_behind_the_camera_or_nowhere_is_not_seen() {
+fn points_behind_the_camera_and_nan_are_not_projected() {
     for lens in LENSES {
         let camera = *model(lens).camera();
         let model_from_camera = camera.camera_from_model.inverse();
@@ -73,7 +73,7 @@ fn what_is_behind_the_camera_or_nowhere_is_not_seen() {
 }
 
 #[test]
-fn from_another_distance_what_is_as_deep_as_the_pivot_stays() {
+fn changing_the_distance_keeps_the_pivot_plane_fixed() {
     for lens in LENSES {
         let face = model(lens);
         let (camera, pivot_m) = (face.camera(), middle_m(&face));
@@ -81,19 +81,19 @@ fn from_another_distance_what_is_as_deep_as_the_pivot_stays() {
         for distance_m in [0.2, 0.7, 3.0, 20.0] {
             let moved = camera.at_distance(distance_m, pivot_m);
             assert_eq!(moved.distance_m, distance_m);
-            for way in around() {
-                let place_m = pivot_m + model_from_camera * DVec3::new(way.x, way.y, 0.0);
-                let (before, after) = (camera.project(place_m).unwrap(), moved.project(place_m).unwrap());
+            for offset in around() {
+                let position_m = pivot_m + model_from_camera * DVec3::new(offset.x, offset.y, 0.0);
+                let (before, after) = (camera.project(position_m).unwrap(), moved.project(position_m).unwrap());
                 assert!(before.distance(after) < 1e-6, "{lens:?} from {distance_m} m: {before} and {after}");
             }
         }
     }
 }
 
-/// A pinhole camera that has gone back along its ray to the pivot until that is k times as far away sees a place d beside the
-/// pivot P at k·f · ((k·P + d)xy / (k·P + d)z − Pxy / Pz), from where it sees the pivot.
+/// A pinhole camera moved back along its ray to the pivot P, to k times the distance, sees a point at offset d from P
+/// at k·f · ((k·P + d)xy / (k·P + d)z − Pxy / Pz) relative to the pivot's image.
 #[test]
-fn from_another_distance_the_rest_is_seen_in_that_perspective() {
+fn changing_the_distance_gives_correct_perspective() {
     for lens in [PhotoLens::Estimated, PhotoLens::Given(26.0), PhotoLens::Distance(0.35)] {
         let face = model(lens);
         let (camera, pivot_m) = (face.camera(), middle_m(&face));
@@ -102,9 +102,9 @@ fn from_another_distance_the_rest_is_seen_in_that_perspective() {
         let divided = |at: DVec3| DVec2::new(at.x, -at.y) / -at.z;
         for times in [0.6, 2.0, 30.0] {
             let moved = camera.at_distance(times * camera.distance_m, pivot_m);
-            for way in around() {
-                let seen_px = moved.project(pivot_m + model_from_camera * way).unwrap();
-                let from_pivot = (divided(times * seen_m + way) - divided(seen_m)) * times * camera.focal_px;
+            for offset in around() {
+                let seen_px = moved.project(pivot_m + model_from_camera * offset).unwrap();
+                let from_pivot = (divided(times * seen_m + offset) - divided(seen_m)) * times * camera.focal_px;
                 let expected = camera.project(pivot_m).unwrap() + from_pivot;
                 assert!(seen_px.distance(expected) < 1e-6, "{lens:?}, {times} times: {seen_px}, {expected}");
             }
@@ -113,27 +113,27 @@ fn from_another_distance_the_rest_is_seen_in_that_perspective() {
 }
 
 #[test]
-fn at_its_own_distance_a_camera_is_itself_and_there_and_back_too() {
+fn changing_the_distance_is_reversible() {
     for lens in LENSES {
         let face = model(lens);
         let camera = face.camera();
         let seen_px = |camera: &Camera| {
-            face.positions_m().iter().map(|place_m| camera.project(*place_m).unwrap()).collect::<Vec<_>>()
+            face.positions_m().iter().map(|position_m| camera.project(*position_m).unwrap()).collect::<Vec<_>>()
         };
         let own_m = if camera.distance_m.is_finite() { camera.distance_m } else { 1e5 };
         let there = camera.at_distance(1.5, middle_m(&face));
         for same in [face.seen_from(own_m), there.at_distance(own_m, middle_m(&face))] {
             let apart = seen_px(camera).iter().zip(seen_px(&same)).map(|(a, b)| a.distance(b)).fold(0.0, f64::max);
-            // From 100 km, parallel rays converge by a thousandth of a px.
+            // At 100 km, parallel rays converge by less than a thousandth of a px.
             let most_px = if camera.distance_m.is_finite() { 1e-6 } else { 1e-3 };
             assert!(apart < most_px, "{lens:?}: {apart} px");
         }
     }
 }
 
-/// A nose is smaller beside the ears the farther away the camera stands.
+/// The nose appears smaller relative to the ears from farther away.
 #[test]
-fn farther_away_what_is_near_grows_less() {
+fn the_nose_shrinks_with_distance() {
     let face = model(PhotoLens::Distance(0.35));
     let size = |camera: &Camera| {
         let [left, right] = [98, 327].map(|landmark: usize| camera.project(face.positions_m()[landmark]).unwrap());

@@ -1,11 +1,11 @@
-//! Regions and names: mirror images of each other, whole, connected, and no two alike.
+//! Consistency of regions and names.
 
 use std::collections::BTreeSet;
 
 use rosto_face::*;
 
 #[test]
-fn a_mirrored_region_holds_the_mirrored_landmarks() {
+fn mirrored_regions_contain_mirrored_landmarks() {
     for region in Region::ALL {
         let mirrored: BTreeSet<u32> = region.vertices().into_iter().map(mirror_of).collect();
         assert_eq!(mirrored.into_iter().collect::<Vec<_>>(), region.mirrored().vertices(), "{region:?}");
@@ -14,7 +14,7 @@ fn a_mirrored_region_holds_the_mirrored_landmarks() {
 }
 
 #[test]
-fn every_region_hangs_together_on_the_canonical_mesh() {
+fn regions_are_connected_on_the_canonical_mesh() {
     let topology = Triangulation::Canonical.topology();
     for region in Region::ALL {
         let members: BTreeSet<u32> = region.vertices().into_iter().collect();
@@ -28,7 +28,7 @@ fn every_region_hangs_together_on_the_canonical_mesh() {
 }
 
 #[test]
-fn regions_lie_where_their_names_say() {
+fn regions_are_located_as_named() {
     let centre_m = |region: Region| {
         let vertices = region.vertices();
         let positions = canonical_positions_m();
@@ -45,20 +45,20 @@ fn regions_lie_where_their_names_say() {
 }
 
 #[test]
-fn region_ids_are_distinct_and_read_back() {
+fn region_ids_are_unique_and_round_trip() {
     let ids: BTreeSet<&str> = Region::ALL.iter().map(|region| region.id()).collect();
     assert_eq!(ids.len(), Region::ALL.len());
     assert!(Region::ALL.iter().all(|&region| Region::from_id(region.id()) == Some(region)));
 }
 
 #[test]
-fn no_two_landmarks_share_an_id() {
+fn landmark_ids_are_unique() {
     let ids: BTreeSet<String> = (0..LANDMARK_COUNT as u32).map(landmark_id).collect();
     assert_eq!(ids.len(), LANDMARK_COUNT);
 }
 
 #[test]
-fn well_known_landmarks_go_by_their_names() {
+fn known_landmarks_have_anatomical_ids() {
     for (landmark, id) in [
         (1, "nose-tip"),
         (61, "right-mouth-corner"),
@@ -75,7 +75,7 @@ fn well_known_landmarks_go_by_their_names() {
 }
 
 #[test]
-fn a_landmarks_regions_go_from_the_smallest_to_the_largest() {
+fn containing_regions_are_sorted_by_size() {
     assert_eq!(Region::containing(1), [Region::NoseTip, Region::Nose]);
     for landmark in 0..468 {
         let regions = Region::containing(landmark);

@@ -1,4 +1,4 @@
-//! Several photos of one face: what pinhole cameras see of a head that nobody has is put together into that head.
+//! Joint fits of synthetic heads from several photos with pinhole cameras.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -10,14 +10,14 @@ const SIZE_PX: [u32; 2] = [900, 1200];
 const FOCAL_PX: f64 = 1500.0;
 const DISTANCE_M: f64 = 0.45;
 
-/// A photo of a head.
+/// Parameters of a synthetic photo.
 #[derive(Debug, Clone, Copy)]
 struct Shot {
     yaw_deg: f64,
     pitch_deg: f64,
-    /// By how much each landmark is found beside where it is seen.
+    /// Amplitude of the landmark noise.
     noise_px: f64,
-    /// By how much depths are found wrong, here more and there less.
+    /// Amplitude of a systematic depth error, which varies over the face.
     bias_m: f64,
     seed: f64,
 }
@@ -28,12 +28,12 @@ const fn turned(yaw_deg: f64) -> Shot {
 
 const ROUND: [Shot; 3] = [turned(0.0), turned(40.0), turned(-40.0)];
 
-/// A number from -1 to 1 for each, without any order.
-fn scattered(of: f64) -> f64 {
-    (of * 12.9898).sin() * 43_758.545_3 % 1.0
+/// Pseudo-random number from -1 to 1.
+fn scattered(seed: f64) -> f64 {
+    (seed * 12.9898).sin() * 43_758.545_3 % 1.0
 }
 
-/// The canonical face with a shape of its own: deeper here and flatter there by some mm.
+/// The canonical face with a smooth shape deviation of a few mm.
 fn head(seed: f64) -> Vec<DVec3> {
     let wave = |p: DVec3, at: f64| (p.x * 31.0 + p.y * 23.0 + at).sin() + (p.y * 37.0 - p.x * 11.0 + 2.0 * at).cos();
     let grown = |p: DVec3| p + DVec3::new(0.3 * wave(p, seed + 4.0), 0.3 * wave(p, seed + 7.0), wave(p, seed)) * 0.002;
@@ -44,19 +44,19 @@ fn rotation(shot: Shot) -> DQuat {
     DQuat::from_euler(glam::EulerRot::YXZ, shot.yaw_deg.to_radians(), shot.pitch_deg.to_radians(), 0.05)
 }
 
-/// From the middle of the canonical face to the camera's frame.
+/// Transforms a head to the camera's frame.
 fn in_camera(head: &[DVec3], shot: Shot) -> Vec<DVec3> {
     let middle_m = canonical_positions_m().iter().sum::<DVec3>() / LANDMARK_COUNT as f64;
     head.iter().map(|&p| rotation(shot) * (p - middle_m) + DVec3::new(0.01, -0.02, -DISTANCE_M)).collect()
 }
 
-/// The head as a network draws it from the side: on the rays of the photo that leads, where nobody can tell it from the head.
-fn drawn(head: &[DVec3], lead: Shot) -> Vec<DVec3> {
-    let out = in_camera(head, lead).into_iter().enumerate().map(|(i, p)| p / p.z * drawn_out_m(i as u32));
+/// The head with the network's bias, applied along the lead photo's rays, where it cannot be observed.
+fn biased(head: &[DVec3], lead: Shot) -> Vec<DVec3> {
+    let out = in_camera(head, lead).into_iter().enumerate().map(|(i, p)| p / p.z * depth_bias_m(i as u32));
     head.iter().zip(out).map(|(&p, out)| p + rotation(lead).inverse() * out).collect()
 }
 
-/// What a camera sees of a head, and a network makes of it.
+/// Landmarks that the network finds in a photo of a head.
 fn landmarks(head: &[DVec3], shot: Shot) -> Vec<[f32; 3]> {
     let [width, height] = SIZE_PX.map(f64::from);
     let seen = in_camera(head, shot).into_iter().enumerate().map(|(i, p)| {
@@ -81,14 +81,14 @@ fn several(photos: &[Vec<[f32; 3]>], lens: PhotoLens) -> Result<FaceModel, FaceE
         let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
         FaceInput { landmarks, width, height, colours: &colours, picture, lens }
     };
-    FaceModel::of_several(photos.iter().map(|photo| input(photo)).collect(), Triangulation::Canonical)
+    FaceModel::from_photos(photos.iter().map(|photo| input(photo)).collect(), Triangulation::Canonical)
 }
 
-/// What photos show of a head, of which the one that is turned the least leads.
+/// Landmarks in several photos of a head; the least turned photo leads.
 fn photos(head: &[DVec3], shots: &[Shot]) -> Vec<Vec<[f32; 3]>> {
     let lead = shots.iter().min_by(|a, b| a.yaw_deg.abs().total_cmp(&b.yaw_deg.abs())).unwrap();
-    let drawn = drawn(head, *lead);
-    shots.iter().map(|&shot| landmarks(&drawn, shot)).collect()
+    let biased = biased(head, *lead);
+    shots.iter().map(|&shot| landmarks(&biased, shot)).collect()
 }
 
 fn of(head: &[DVec3], shots: &[Shot]) -> FaceModel {
@@ -99,8 +99,8 @@ fn furthest_m(a: &[DVec3], b: &[DVec3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max)
 }
 
-/// How far the model is from the head, in m, at the landmarks that two of the cameras see well: before the camera that leads,
-/// where both lie on the same rays, the model made as large as the head is.
+/// Errors of the model in m, at landmarks well visible to at least two cameras, in the lead camera's frame. The model
+/// is scaled to the head's size.
 fn errors_m(model: &FaceModel, head: &[DVec3], shots: &[Shot]) -> Vec<(usize, f64)> {
     let truth = in_camera(head, shots[model.views()[0].photo]);
     let found: Vec<DVec3> =
@@ -120,14 +120,14 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(8))]
 
     #[test]
-    fn a_head_seen_from_three_sides_is_found_as_it_is(seed in 0.0..60.0f64) {
+    fn a_head_is_recovered_from_three_sides(seed in 0.0..60.0f64) {
         let head = head(seed);
         let [one, three] = [&ROUND[..1], &ROUND].map(|shots| rms(&errors_m(&of(&head, shots), &head, &ROUND)));
         prop_assert!(one > 0.001 && three < 1e-4, "{one} m by one photo, {three} m by three");
     }
 
     #[test]
-    fn landmarks_found_beside_where_they_are_do_little_harm(seed in 0.0..60.0f64) {
+    fn noise_has_little_effect(seed in 0.0..60.0f64) {
         let head = head(seed);
         let noisy = ROUND.map(|shot| Shot { noise_px: 0.5, seed: seed + shot.yaw_deg, ..shot });
         let [one, three] = [&noisy[..1], &noisy].map(|shots| rms(&errors_m(&of(&head, shots), &head, &noisy)));
@@ -135,7 +135,7 @@ proptest! {
     }
 
     #[test]
-    fn the_model_lies_on_the_photo_that_leads(seed in 0.0..60.0f64, yaw_deg in -14.0..14.0f64, others in 0..4usize) {
+    fn the_model_coincides_with_the_lead_photo(seed in 0.0..60.0f64, yaw_deg in -14.0..14.0f64, others in 0..4usize) {
         let shots: Vec<Shot> = [45.0, -30.0, yaw_deg, 20.0].into_iter().rev().take(others + 1).map(turned).collect();
         for lens in [lens(), PhotoLens::Estimated, PhotoLens::Parallel, PhotoLens::Distance(0.35)] {
             let noisy: Vec<Shot> = shots.iter().map(|&shot| Shot { noise_px: 1.0, ..shot }).collect();
@@ -143,8 +143,8 @@ proptest! {
             let model = several(&photos, lens).unwrap();
             let lead = &model.views()[0];
             prop_assert_eq!(model.positions_image()[7].as_vec3().to_array(), photos[lead.photo][7]);
-            for (&place_m, uv) in model.positions_m().iter().zip(&lead.uvs) {
-                let apart_px = model.camera().project(place_m).unwrap().distance(*uv * DVec2::new(900.0, 1200.0));
+            for (&position_m, uv) in model.positions_m().iter().zip(&lead.uvs) {
+                let apart_px = model.camera().project(position_m).unwrap().distance(*uv * DVec2::new(900.0, 1200.0));
                 prop_assert!(apart_px < 1e-6, "{lens:?}: {apart_px} px");
             }
         }
@@ -157,12 +157,12 @@ proptest! {
         for order in [[1, 0, 2, 3], [3, 2, 1, 0], [2, 3, 0, 1]] {
             let other = of(&head(seed), &order.map(|at: usize| shots[at]));
             prop_assert!(furthest_m(reference.positions_m(), other.positions_m()) < 1e-9);
-            prop_assert_eq!(order[other.views()[0].photo], 1, "the same one leads");
+            prop_assert_eq!(order[other.views()[0].photo], 1, "the same photo leads");
         }
     }
 
     #[test]
-    fn a_photo_given_twice_changes_nothing(seed in 0.0..60.0f64) {
+    fn duplicate_photos_do_not_change_the_model(seed in 0.0..60.0f64) {
         let head = head(seed);
         let shots = ROUND.map(|shot| Shot { noise_px: 1.0, seed, ..shot });
         let [front, left, right] = shots;
@@ -176,7 +176,7 @@ proptest! {
     }
 
     #[test]
-    fn who_is_left_out_is_foreseen_better_by_two_than_by_one(seed in 0.0..60.0f64) {
+    fn more_photos_predict_a_left_out_photo_better(seed in 0.0..60.0f64) {
         let shots = [turned(0.0), turned(25.0), turned(-35.0), turned(45.0)].map(|shot| Shot { noise_px: 0.3, seed, ..shot });
         let left_out = of(&head(seed), &shots).left_out().unwrap();
         prop_assert_eq!(left_out.len(), shots.len());
@@ -187,7 +187,7 @@ proptest! {
 }
 
 #[test]
-fn one_photo_is_read_as_it_is_alone() {
+fn a_single_photo_gives_the_same_model_as_new() {
     let photo = landmarks(&head(5.0), turned(8.0));
     let together = several(std::slice::from_ref(&photo), PhotoLens::Estimated).unwrap();
     let colours = vec![[1, 2, 3]; LANDMARK_COUNT];
@@ -201,7 +201,7 @@ fn one_photo_is_read_as_it_is_alone() {
 }
 
 #[test]
-fn every_camera_sees_the_shape_where_its_photo_shows_it() {
+fn cameras_of_all_photos_are_recovered() {
     let head = head(11.0);
     for lens in [lens(), PhotoLens::Distance(DISTANCE_M)] {
         let model = several(&photos(&head, &ROUND), lens).unwrap();
@@ -210,9 +210,9 @@ fn every_camera_sees_the_shape_where_its_photo_shows_it() {
             assert!((pose.yaw_deg - model.camera().pose().yaw_deg - ROUND[view.photo].yaw_deg).abs() < 0.5, "{pose:?}");
             let shown = in_camera(&head, ROUND[view.photo]);
             let mut apart_px: Vec<f64> = (model.positions_m().iter().zip(&shown))
-                .map(|(&place_m, p)| {
+                .map(|(&position_m, p)| {
                     let at_px = DVec2::new(p.x, -p.y) * FOCAL_PX / -p.z + DVec2::new(450.0, 600.0);
-                    view.camera.project(place_m).unwrap().distance(at_px)
+                    view.camera.project(position_m).unwrap().distance(at_px)
                 })
                 .collect();
             apart_px.sort_by(f64::total_cmp);
@@ -224,22 +224,23 @@ fn every_camera_sees_the_shape_where_its_photo_shows_it() {
 }
 
 #[test]
-fn another_lens_and_back_is_the_same_model_of_several_photos() {
+fn changing_the_lens_of_several_photos_is_reversible() {
     let near = of(&head(3.0), &[turned(-30.0), turned(4.0), turned(35.0)]);
     let far = near.with_lens(PhotoLens::Distance(1.5)).unwrap();
     assert!((far.camera().distance_m - 1.5).abs() < 0.005, "{}", far.camera().distance_m);
-    assert_eq!(far.views()[1].lens, lens(), "of the others the same is known");
+    assert_eq!(far.views()[1].lens, lens(), "the other photos keep their lenses");
     let back = far.with_lens(near.lens()).unwrap();
     assert_eq!((back.positions_m(), back.views()[2].camera), (near.positions_m(), near.views()[2].camera));
 }
 
 #[test]
-fn a_photo_added_and_taken_away_is_as_if_all_had_been_given_so() {
+fn adding_and_removing_photos_equals_a_joint_fit() {
     let shots = [turned(-30.0), turned(4.0), turned(35.0)];
     let shown = photos(&head(3.0), &shots);
     let same = |one: &FaceModel, other: &FaceModel| {
-        assert_eq!(one.positions_m(), other.positions_m(), "to the last bit");
-        let cameras = |of: &FaceModel| of.views().iter().map(|view| (view.photo, view.camera)).collect::<Vec<_>>();
+        assert_eq!(one.positions_m(), other.positions_m(), "bit for bit");
+        let cameras =
+            |model: &FaceModel| model.views().iter().map(|view| (view.photo, view.camera)).collect::<Vec<_>>();
         assert_eq!(cameras(one), cameras(other));
     };
     let all = several(&shown, lens()).unwrap();
@@ -252,16 +253,16 @@ fn a_photo_added_and_taken_away_is_as_if_all_had_been_given_so() {
     same(&all.without_photo(3).unwrap(), &all);
     let alone = all.without_photo(2).unwrap().without_photo(0).unwrap();
     same(&alone, &several(&shown[1..2], lens()).unwrap());
-    assert_eq!(alone.without_photo(0).unwrap_err(), FaceError::PhotoCount { found: 0, most: MOST_PHOTOS });
+    assert_eq!(alone.without_photo(0).unwrap_err(), FaceError::PhotoCount { found: 0, most: MAX_PHOTOS });
 }
 
 #[test]
-fn another_expression_does_little_to_what_it_does_not_move() {
+fn another_expression_has_little_effect_elsewhere() {
     let (head, mut smiling) = (head(21.0), head(21.0));
     let moved = [Region::Lips, Region::RightUpperEyelid].map(Region::vertices).concat();
     for &landmark in &moved {
-        let place_m = &mut smiling[landmark as usize];
-        *place_m += DVec3::new(place_m.x * 0.2, 0.004, -0.002);
+        let position_m = &mut smiling[landmark as usize];
+        *position_m += DVec3::new(position_m.x * 0.2, 0.004, -0.002);
     }
     let [front, ..] = &photos(&head, &ROUND)[..] else { unreachable!() };
     let [_, left, right] = &photos(&smiling, &ROUND)[..] else { unreachable!() };
@@ -275,26 +276,26 @@ fn another_expression_does_little_to_what_it_does_not_move() {
 }
 
 #[test]
-fn another_face_and_what_is_none_are_told() {
+fn other_faces_and_invalid_photos_are_refused() {
     let head = head(2.0);
     let photos = photos(&head, &ROUND);
     let mut strange = head.clone();
-    // Nobody's eyes are beside his mouth.
+    // A distortion that no camera explains.
     strange.iter_mut().for_each(|p| p.y += 0.02 * (p.y * 60.0).sin());
     let [front, left, _] = &photos[..] else { unreachable!() };
     let error = several(&[front.clone(), left.clone(), landmarks(&strange, ROUND[2])], lens()).unwrap_err();
     let FaceError::AnotherFace { photo: 2, reprojection_px, most_px } = error else { panic!("{error}") };
     assert!(reprojection_px > most_px && most_px > 5.0);
-    assert_eq!(several(&[], lens()).unwrap_err(), FaceError::PhotoCount { found: 0, most: MOST_PHOTOS });
-    let many = vec![front.clone(); MOST_PHOTOS + 1];
-    assert_eq!(several(&many, lens()).unwrap_err(), FaceError::PhotoCount { found: 6, most: MOST_PHOTOS });
+    assert_eq!(several(&[], lens()).unwrap_err(), FaceError::PhotoCount { found: 0, most: MAX_PHOTOS });
+    let many = vec![front.clone(); MAX_PHOTOS + 1];
+    assert_eq!(several(&many, lens()).unwrap_err(), FaceError::PhotoCount { found: 6, most: MAX_PHOTOS });
     let short = several(&[front.clone(), left[..400].to_vec()], lens()).unwrap_err();
     let reason = Box::new(FaceError::WrongCount { what: "landmarks", expected: 468, found: 400 });
     assert_eq!(short, FaceError::InPhoto { photo: 1, reason });
 }
 
 #[test]
-fn turns_that_no_photo_shows_are_missing() {
+fn missing_turns_are_reported() {
     let pose = |yaw_deg: f64| Pose { yaw_deg, pitch_deg: 0.0, roll_deg: 0.0 };
     assert_eq!(Turn::missing([]), Turn::ALL);
     assert_eq!(Turn::missing([0.0, 30.0].map(pose)), [Turn::Right]);

@@ -1,4 +1,4 @@
-//! The published tables are what they are said to be.
+//! Properties of the published tables.
 
 use rosto_face::*;
 
@@ -16,7 +16,7 @@ fn loop_lengths(triangulation: Triangulation) -> Vec<usize> {
 }
 
 #[test]
-fn the_tessellation_has_the_papers_edges_faces_and_degrees() {
+fn the_tessellation_matches_the_paper() {
     let topology = Triangulation::Tessellation.topology();
     assert_eq!((topology.vertex_count(), topology.edges().len(), topology.triangles().len()), (468, 1322, 852));
     assert_eq!(loop_lengths(Triangulation::Tessellation), [36, 20, 16, 16]);
@@ -32,7 +32,7 @@ fn the_canonical_triangulation_fills_eyes_and_mouth() {
 }
 
 #[test]
-fn without_its_fillings_the_canonical_triangulation_has_the_tessellations_openings() {
+fn without_fillings_has_the_openings_of_the_tessellation() {
     for triangulation in [Triangulation::Canonical, Triangulation::Tessellation] {
         let cage = triangulation.topology();
         for levels in 0..3 {
@@ -47,7 +47,7 @@ fn without_its_fillings_the_canonical_triangulation_has_the_tessellations_openin
 }
 
 #[test]
-fn the_mirror_is_exact_in_the_canonical_positions() {
+fn canonical_positions_are_exactly_mirrored() {
     let positions = canonical_positions_m();
     for vertex in 0..LANDMARK_COUNT as u32 {
         let partner = mirror_of(vertex);
@@ -55,7 +55,7 @@ fn the_mirror_is_exact_in_the_canonical_positions() {
         let (here, there) = (positions[vertex as usize], positions[partner as usize]);
         assert_eq!([here.x, here.y, here.z], [-there.x, there.y, there.z], "landmark {vertex}");
     }
-    // As published: the left eye's outer corner and the left corner of the mouth, in units of 1e-6 cm.
+    // Published values of the left eye's outer corner and the left mouth corner, in units of 1e-6 cm.
     for (landmark, published) in [(263, [4_445_859, 2_663_991, 3_173_422]), (291, [2_456_206, -4_342_621, 4_283_884])] {
         assert_eq!(positions[landmark].to_array(), published.map(|number| f64::from(number) * 1e-8));
     }
@@ -65,7 +65,7 @@ fn the_mirror_is_exact_in_the_canonical_positions() {
 }
 
 #[test]
-fn the_canonical_triangulation_is_its_own_mirror_image() {
+fn the_canonical_triangulation_is_mirror_symmetric() {
     let lowest_first = |[a, b, c]: [u32; 3]| {
         let low = a.min(b).min(c);
         if low == a {

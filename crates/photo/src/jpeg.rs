@@ -96,7 +96,7 @@ fn unsupported_process(marker: u8) -> Option<&'static str> {
 
 /// Strips trailing zeros that padded a truncated copy.
 fn without_filler(bytes: &[u8]) -> &[u8] {
-    /// A scan may end with a few zeros of its own.
+    /// A scan itself may end with a few zeros.
     const FILLER: usize = 16;
     let end = bytes.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     if bytes.len() - end >= FILLER { &bytes[..end] } else { bytes }

@@ -135,7 +135,7 @@ impl Session {
         let document = self.open_face()?.document();
         let counts = |topology: &Topology| [topology.vertex_count(), topology.triangles().len()];
         Ok(match options.are_expressions_moved(format) || options.are_eyes_pieces(format) {
-            true => counts(document.parted().topology()),
+            true => counts(document.split_face().topology()),
             false => counts(document.topology()),
         })
     }
@@ -174,13 +174,13 @@ impl Session {
             .map(|Layer { name, displacements_m, weight }| Morph { name, displacements_m, weight: *weight })
             .collect();
         let gltf = GlbOptions { morphs: &morphs, ..self.gltf(options, face.source(&json, in_photo.as_deref())) };
-        let (parted, base_m) = (rig.parted(), rig.base_m());
-        let (uvs, texture_uvs) = (parted.uvs(&face.uvs()), parted.uvs(&face.texture_uvs()));
+        let (split_face, base_m) = (rig.split_face(), rig.base_m());
+        let (uvs, texture_uvs) = (split_face.uvs(&face.uvs()), split_face.uvs(&face.texture_uvs()));
         let model = Model {
-            topology: parted.topology(),
+            topology: split_face.topology(),
             positions_m: base_m,
             smoothed_m: None,
-            colours_srgb: &parted.colours(&face.colours_srgb(&face.uvs())),
+            colours_srgb: &split_face.colours(&face.colours_srgb(&face.uvs())),
             photo: Picture { pixels: face.model().picture(), uvs: &uvs },
             whole: face.texture().map(|pixels| Picture { pixels, uvs: &texture_uvs }),
         };

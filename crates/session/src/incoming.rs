@@ -90,7 +90,7 @@ pub(crate) fn opened(incoming: Incoming, usual: (Triangulation, u32)) -> Result<
         [] => FaceModel::new(input, triangulation)?,
         further => {
             let further = further.iter().map(FurtherPhoto::input);
-            FaceModel::of_several(std::iter::once(input).chain(further).collect(), triangulation)?
+            FaceModel::from_photos(std::iter::once(input).chain(further).collect(), triangulation)?
         }
     };
     let document = Document::open(Rest::of_face(&model), entries, density)?;

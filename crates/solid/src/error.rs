@@ -1,64 +1,66 @@
 use rosto_mesh::MeshError;
 use thiserror::Error;
 
-/// Why a surface cannot be made a body.
+/// Reason why a surface cannot be made into a body.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SolidError {
-    /// A position is infinite or not a number.
-    #[error("vertex {vertex} has a coordinate that is no number")]
+    /// A position is infinite or NaN.
+    #[error("vertex {vertex} has a coordinate that is not a finite number")]
     NotFinite {
-        /// The vertex.
+        /// Index of the vertex.
         vertex: usize,
     },
-    /// The thickness is not a length above zero.
-    #[error("a wall cannot be {thickness_m} m thick")]
+    /// The thickness is not a positive finite length.
+    #[error("the thickness has to be positive and finite, but it is {thickness_m} m")]
     Thickness {
-        /// What was asked for, in metres.
+        /// Requested thickness, in metres.
         thickness_m: f64,
     },
-    /// A side has more than two triangles, or two that wind against each other.
-    #[error("more than one triangle has the side from vertex {from} to vertex {to} in that direction")]
+    /// An edge has more than two triangles, or two with opposite winding.
+    #[error("more than one triangle has the directed edge from vertex {from} to vertex {to}")]
     NotASurface {
-        /// Where the side starts.
+        /// Start of the edge.
         from: u32,
-        /// Where it ends.
+        /// End of the edge.
         to: u32,
     },
-    /// Rims touch in a vertex, so that the surface hangs together by a point.
-    #[error("rims touch in vertex {vertex}")]
+    /// Rims touch at a vertex, so that parts of the surface are connected only there.
+    #[error("rims touch at vertex {vertex}")]
     Pinched {
-        /// The vertex.
+        /// Index of the vertex.
         vertex: u32,
     },
-    /// It is not one piece that could be laid flat, but for holes.
-    #[error("the surface is no disc with holes: it has {pieces} pieces, {rims} rims and Euler characteristic {euler}")]
+    /// The surface is not a disc with holes.
+    #[error(
+        "the surface is not a disc with holes: it has {pieces} pieces, {rims} rims and Euler characteristic {euler}"
+    )]
     NotADisc {
-        /// How many pieces it has; a vertex that no triangle uses is one, too.
+        /// Number of connected components; unused vertices count.
         pieces: usize,
-        /// How many rims it has.
+        /// Number of rims.
         rims: usize,
-        /// Vertices − sides + triangles.
+        /// Vertices − edges + triangles.
         euler: i64,
     },
-    /// The surface goes through itself, and smoothing does not part it.
-    #[error("{pairs} pairs of triangles go through each other, and cannot be parted")]
+    /// The surface intersects itself, and smoothing does not remove that.
+    #[error("{pairs} pairs of triangles intersect, and smoothing does not separate them")]
     CrossesItself {
-        /// How many pairs are left.
+        /// Number of remaining pairs.
         pairs: usize,
     },
-    /// The wall would go through itself.
-    #[error("a wall {thickness_m} m thick goes through itself; {most_m} m is the most that does not")]
+    /// The wall would intersect itself.
+    #[error("a wall of {thickness_m} m would intersect itself; the maximum is {most_m} m")]
     TooThick {
-        /// What was asked for, in metres.
+        /// Requested thickness, in metres.
         thickness_m: f64,
-        /// The most that works, found by halving, in metres; 0 if none was found.
+        /// Largest thickness that works, found by bisection, in metres; 0 if none was found.
         most_m: f64,
     },
-    /// The sides that lead straight back would go through the surface, or it does not face +Z.
-    #[error("no flat back can be put behind the surface: the way back from its rim goes through it")]
+    /// The walls along −Z would intersect the surface, or the surface does not face +Z.
+    #[error("a flat back does not fit: the walls from the rim to the back would intersect the surface")]
     NoFlatBack,
-    /// The triangles are no mesh.
+    /// The triangles are not a valid mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
 }

@@ -1,8 +1,8 @@
-//! An open surface made a closed body that can be printed: a wall of some thickness, or a relief with a flat back.
+//! Closes an open surface to a printable body: a wall of constant thickness, or a relief with a flat back.
 //!
-//! [`Body::closed`] checks the surface and closes its openings (`front`), puts something behind it (`wall`, `flat`), and
-//! lets nothing go through itself (`crossings`). [`Body::closed_or_smoothed`] rounds off what leaves no room for a wall (`softer`).
-//! A body knows its volume, its size and its weight. Knows nothing of faces.
+//! [`Body::closed`] validates the surface and fills its openings (`front`), adds a back (`wall`, `flat`), and prevents
+//! self-intersections (`crossings`). [`Body::closed_or_smoothed`] smooths folds that leave no room for a wall
+//! (`smoothed`). A body knows its volume, size and mass. The crate is independent of faces.
 
 mod body;
 mod crossings;
@@ -10,13 +10,13 @@ mod error;
 mod filling;
 mod flat;
 mod front;
-mod softer;
+mod smoothed;
 mod wall;
 
 pub use body::{Body, Closing, PLA_G_PER_CM3};
 pub use error::SolidError;
 
-/// The examples of the README are tested with those of the code.
+/// Runs the README's examples as doc-tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

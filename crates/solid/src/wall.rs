@@ -1,38 +1,38 @@
-//! The other side of a wall: a copy of the front, moved inward.
+//! The back of a wall: a copy of the front, offset inward.
 
 use glam::DVec3;
 use rosto_mesh::{Topology, vertex_normals};
 
 use crate::crossings::{crossings, crossings_of};
-use crate::front::{Front, grown};
+use crate::front::{Front, dilated};
 
-/// How far directions are smoothed, as shares of the thickness, and what is done where the wall goes through itself all the
-/// same: one after the other until a wall is as thick as it should be.
-const TRIES: [(f64, Mending); 4] =
-    [(2.8, Mending::BendAndThin), (1.4, Mending::BendAndThin), (0.5, Mending::BendAndThin), (0.0, Mending::Thin)];
+/// Smoothing radius of the directions, relative to the thickness, and the repair of self-intersections; tried in turn
+/// until the wall is thick enough.
+const TRIES: [(f64, Repair); 4] =
+    [(2.8, Repair::BendAndThin), (1.4, Repair::BendAndThin), (0.5, Repair::BendAndThin), (0.0, Repair::Thin)];
 
-/// A wall that is nowhere thinner than this share of what was asked for is good enough.
+/// Smallest acceptable thickness, relative to the requested one.
 const GOOD: f64 = 0.75;
 
-/// A wall that has become thinner than this share of what was asked for is given up.
-const THINNEST: f64 = 0.1;
+/// Thickness, relative to the requested one, below which a wall is given up.
+const MIN_SHARE: f64 = 0.1;
 
-/// What a round leaves of the thickness where the wall still goes through itself.
+/// Factor by which a round thins the wall where it still intersects itself.
 const THINNED: f64 = 0.85;
 
-/// More sweeps make directions no smoother to speak of.
-const MOST_SWEEPS: f64 = 400.0;
+/// Further sweeps hardly change the directions.
+const MAX_SWEEPS: f64 = 400.0;
 
-/// A direction that leans more than this away from the surface makes the way longer no further: 60°.
-const LEAST_COSINE: f64 = 0.5;
+/// Cosine of the angle (60°) between direction and normal beyond which the offset is not lengthened further.
+const MIN_COSINE: f64 = 0.5;
 
-/// Where the back of the wall lies, and how thick it is where it is thinnest.
+/// Positions of the back, and the smallest thickness.
 pub(crate) struct Back {
     pub positions: Vec<DVec3>,
     pub thinnest: f64,
 }
 
-/// The triangles of the front, of its copy behind, and of the strip that joins their rims.
+/// Triangles of the front, the back and the strip between their rims.
 pub(crate) fn joined(front: &Front) -> Vec<[u32; 3]> {
     let behind = |vertex: u32| vertex + front.positions.len() as u32;
     let mut triangles = front.topology.triangles().to_vec();
@@ -44,23 +44,22 @@ pub(crate) fn joined(front: &Front) -> Vec<[u32; 3]> {
     triangles
 }
 
-/// The way inward from each vertex.
-struct Ways<'a> {
+/// Offset directions of the vertices.
+struct Offsets<'a> {
     front: &'a Front,
     normals: Vec<DVec3>,
     outward: Vec<DVec3>,
     shares: Vec<f64>,
 }
 
-/// The back of a wall of that thickness; none if it would go through itself or the front.
+/// The back of a wall of the given thickness; `None` if it would intersect itself or the front.
 ///
-/// The back lies along the normals. Where it would go through something, the wall is thinned, or the directions are smoothed,
-/// so that what lies beside each other goes the same way and keeps its order; that wall is taken which is thickest where it
-/// is thinnest.
+/// The back is offset along the normals. At intersections, the wall is thinned or the directions are smoothed, so that
+/// neighbouring vertices keep their order. Returns the attempt with the largest minimum thickness.
 pub(crate) fn back(front: &Front, thickness: f64) -> Option<Back> {
     let mut best: Option<Back> = None;
-    for (reach, mending) in TRIES {
-        let found = Ways::smoothed(front, reach * thickness).mended(thickness, mending, THINNEST).ok();
+    for (radius, repair) in TRIES {
+        let found = Offsets::smoothed(front, radius * thickness).repaired(thickness, repair, MIN_SHARE).ok();
         best = [best, found].into_iter().flatten().max_by(|one, other| one.thinnest.total_cmp(&other.thinnest));
         if best.as_ref().is_some_and(|best| best.thinnest >= GOOD * thickness) {
             break;
@@ -69,14 +68,14 @@ pub(crate) fn back(front: &Front, thickness: f64) -> Option<Back> {
     best
 }
 
-/// The same, good enough everywhere, sooner given up.
+/// Like [`back`], but requires a good thickness everywhere, and gives up earlier.
 ///
 /// # Errors
-/// The vertices behind which there is no room, where most of the wall has some.
+/// The vertices behind which there is no room, from the attempt with the fewest.
 pub(crate) fn good_back(front: &Front, thickness: f64) -> Result<Back, Vec<bool>> {
     let mut tightest: Option<Vec<bool>> = None;
-    for (reach, mending) in TRIES {
-        let tight = match Ways::smoothed(front, reach * thickness).mended(thickness, mending, GOOD) {
+    for (radius, repair) in TRIES {
+        let tight = match Offsets::smoothed(front, radius * thickness).repaired(thickness, repair, GOOD) {
             Ok(back) => return Ok(back),
             Err(tight) => tight,
         };
@@ -86,31 +85,31 @@ pub(crate) fn good_back(front: &Front, thickness: f64) -> Result<Back, Vec<bool>
     Err(tightest.unwrap_or_default())
 }
 
-/// What is done where a wall goes through itself.
+/// Repair of a wall that intersects itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Mending {
+enum Repair {
     Thin,
     BendAndThin,
 }
 
-impl<'a> Ways<'a> {
+impl<'a> Offsets<'a> {
     fn new(front: &'a Front) -> Self {
         let normals = vertex_normals(&front.topology, &front.positions);
-        let outward = seen_from_all(&front.topology, &front.positions, &normals);
+        let outward = visible_directions(&front.topology, &front.positions, &normals);
         Self { front, normals, outward, shares: vec![1.0; front.positions.len()] }
     }
 
-    /// With directions that are smoothed as far as that.
-    fn smoothed(front: &'a Front, reach: f64) -> Self {
-        let sweeps = (reach / front.side).powi(2).min(MOST_SWEEPS);
-        let mut ways = Self::new(front);
-        (0..sweeps.ceil() as usize).for_each(|_| ways.bend(|_| true));
-        ways
+    /// Smooths the directions over about `radius`.
+    fn smoothed(front: &'a Front, radius: f64) -> Self {
+        let sweeps = (radius / front.side).powi(2).min(MAX_SWEEPS);
+        let mut offsets = Self::new(front);
+        (0..sweeps.ceil() as usize).for_each(|_| offsets.bend(|_| true));
+        offsets
     }
 
-    /// The wall, thinned wherever it goes through itself, but to no less than a share of its thickness; else the vertices where
-    /// that is not enough.
-    fn mended(mut self, thickness: f64, mending: Mending, least_share: f64) -> Result<Back, Vec<bool>> {
+    /// Repairs the wall where it intersects itself, thinning it to no less than `least_share`. Otherwise returns the
+    /// vertices where that is not enough.
+    fn repaired(mut self, thickness: f64, repair: Repair, least_share: f64) -> Result<Back, Vec<bool>> {
         let front = self.front;
         let triangles = joined(front);
         let count = front.positions.len();
@@ -123,9 +122,9 @@ impl<'a> Ways<'a> {
                 triangles[triangle as usize].iter().for_each(|&corner| marked[corner as usize % count] = true);
             }
             for _ in 0..=round / 4 {
-                marked = grown(&front.topology, &marked);
+                marked = dilated(&front.topology, &marked);
             }
-            if mending == Mending::BendAndThin {
+            if repair == Repair::BendAndThin {
                 self.bend(|vertex| marked[vertex]);
             }
             self.thin(&marked);
@@ -147,12 +146,12 @@ impl<'a> Ways<'a> {
     }
 
     fn length(&self, vertex: usize, thickness: f64) -> f64 {
-        thickness * self.shares[vertex] / self.outward[vertex].dot(self.normals[vertex]).max(LEAST_COSINE)
+        thickness * self.shares[vertex] / self.outward[vertex].dot(self.normals[vertex]).max(MIN_COSINE)
     }
 
     fn ends(&self, thickness: f64) -> Vec<DVec3> {
-        let places = self.front.positions.iter().enumerate();
-        places.map(|(vertex, &place)| place - self.length(vertex, thickness) * self.outward[vertex]).collect()
+        let positions = self.front.positions.iter().enumerate();
+        positions.map(|(vertex, &position)| position - self.length(vertex, thickness) * self.outward[vertex]).collect()
     }
 
     fn thinnest(&self, thickness: f64) -> f64 {
@@ -160,7 +159,7 @@ impl<'a> Ways<'a> {
         (0..self.shares.len()).map(across).fold(f64::INFINITY, f64::min)
     }
 
-    /// Each direction as those around it are in the middle.
+    /// Replaces each selected direction by the mean of its neighbours.
     fn bend(&mut self, is_marked: impl Fn(usize) -> bool) {
         let old = self.outward.clone();
         for vertex in (0..old.len()).filter(|&vertex| is_marked(vertex)) {
@@ -169,7 +168,7 @@ impl<'a> Ways<'a> {
         }
     }
 
-    /// Thins the wall there, and eases it into what is around.
+    /// Thins the wall at the marked vertices, and smooths the thickness there.
     fn thin(&mut self, marked: &[bool]) {
         let marked_vertices = || (0..marked.len()).filter(|&vertex| marked[vertex]);
         marked_vertices().for_each(|vertex| self.shares[vertex] *= THINNED);
@@ -186,9 +185,9 @@ impl<'a> Ways<'a> {
     }
 }
 
-/// For each vertex a direction that its triangles all face, if there is one: the middle of the narrowest cone around their
-/// normals, approached step by step (Bădoiu & Clarkson 2003).
-fn seen_from_all(topology: &Topology, positions: &[DVec3], start: &[DVec3]) -> Vec<DVec3> {
+/// For each vertex, a direction in front of all its triangles, if there is one: the axis of the narrowest cone around
+/// their normals, approximated iteratively (Bădoiu & Clarkson 2003).
+fn visible_directions(topology: &Topology, positions: &[DVec3], start: &[DVec3]) -> Vec<DVec3> {
     const STEPS: usize = 24;
     let mut faces = vec![Vec::new(); positions.len()];
     for &corners in topology.triangles() {
@@ -197,12 +196,12 @@ fn seen_from_all(topology: &Topology, positions: &[DVec3], start: &[DVec3]) -> V
             corners.iter().for_each(|&corner| faces[corner as usize].push(normal));
         }
     }
-    let middle = |(faces, &start): (&Vec<DVec3>, &DVec3)| {
+    let axis = |(faces, &start): (&Vec<DVec3>, &DVec3)| {
         (0..STEPS).fold(start, |direction, step| {
             let farthest = faces.iter().min_by(|one, other| one.dot(direction).total_cmp(&other.dot(direction)));
             let pulled = direction + *farthest.unwrap_or(&direction) / (step + 2) as f64;
             pulled.normalize_or(direction)
         })
     };
-    faces.iter().zip(start).map(middle).collect()
+    faces.iter().zip(start).map(axis).collect()
 }

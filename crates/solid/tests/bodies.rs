@@ -1,4 +1,4 @@
-//! What holds of every body that a surface is made into.
+//! Properties of closed bodies.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -25,7 +25,7 @@ fn closed(topology: &Topology, positions: &[DVec3], closing: Closing) -> Result<
     Body::closed(Surface::new(topology, positions).unwrap(), closing)
 }
 
-/// Every directed side once, and its opposite once.
+/// Each directed edge and its opposite occur exactly once.
 fn assert_watertight(body: &Body) {
     let mut sides: HashMap<[u32; 2], usize> = HashMap::new();
     for &[a, b, c] in body.topology().triangles() {
@@ -33,12 +33,12 @@ fn assert_watertight(body: &Body) {
     }
     assert!(sides.iter().all(|(&[from, to], &uses)| uses == 1 && sides.get(&[to, from]) == Some(&1)));
     let (v, e, f) = (body.topology().vertex_count(), body.topology().edges().len(), body.topology().triangles().len());
-    assert_eq!(v + f, e + 2, "Euler's characteristic of a ball");
+    assert_eq!(v + f, e + 2, "Euler characteristic of a sphere");
     assert!((0..v as u32).all(|vertex| body.topology().degree(vertex) >= 3), "every vertex is used");
 }
 
 #[test]
-fn every_face_becomes_a_watertight_body_that_does_not_go_through_itself() {
+fn faces_become_watertight_bodies_without_self_intersections() {
     for (name, topology, positions) in faces() {
         for closing in CLOSINGS {
             let body =
@@ -52,7 +52,7 @@ fn every_face_becomes_a_watertight_body_that_does_not_go_through_itself() {
 }
 
 #[test]
-fn denser_faces_do_too() {
+fn subdivided_faces_become_bodies_too() {
     let (topology, positions) = face(Triangulation::Canonical);
     for density in 1..=3 {
         let finer = LoopSubdivision::new(&topology, density);
@@ -68,16 +68,17 @@ fn denser_faces_do_too() {
 }
 
 #[test]
-fn the_wall_of_a_face_is_as_thick_as_asked_for_nearly_everywhere() {
+fn a_wall_has_at_least_three_quarters_of_the_requested_thickness() {
     let (topology, positions) = face(Triangulation::Canonical);
     for thickness_m in [0.001, 0.002, 0.003] {
         let body = closed(&topology, &positions, Closing::Thickness { thickness_m }).unwrap();
         assert!(body.thinnest_m() >= 0.75 * thickness_m && body.thinnest_m() <= thickness_m * (1.0 + 1e-12));
-        assert_eq!(body.positions_m()[..468], positions, "nothing of the face was moved");
+        assert_eq!(body.positions_m()[..468], positions, "the face is unchanged");
     }
 }
 
-/// A smooth face through its landmarks, whose lips have hardly room for a wall between them, and the same rounded off.
+/// A face interpolated through its landmarks, with little room for a wall between the lips, and its approximating
+/// version.
 fn smooth(levels: u32) -> (Topology, Vec<DVec3>, Vec<DVec3>) {
     let (mut topology, firm) = face(Triangulation::Canonical);
     let (mut creases, mut firm, mut soft) = (opening_edges(), firm.clone(), firm);
@@ -90,7 +91,7 @@ fn smooth(levels: u32) -> (Topology, Vec<DVec3>, Vec<DVec3>) {
 }
 
 #[test]
-fn where_folds_leave_no_room_for_a_wall_a_surface_is_softened_and_elsewhere_it_is_not() {
+fn a_surface_is_smoothed_only_around_tight_folds() {
     let thickness_m = 0.002;
     for levels in [2, 3] {
         let (topology, firm, soft) = smooth(levels);
@@ -102,21 +103,25 @@ fn where_folds_leave_no_room_for_a_wall_a_surface_is_softened_and_elsewhere_it_i
         let moved = |vertex: usize| body.positions_m()[vertex].distance(firm[vertex]);
         let most_m = (0..firm.len()).map(moved).fold(0.0, f64::max);
         assert!((most_m - body.moved_m()).abs() < 1e-12);
-        let kept =
+        let unchanged =
             topology.triangles().iter().filter(|corners| corners.iter().all(|&corner| moved(corner as usize) == 0.0));
-        assert!(kept.count() * 10 > topology.triangles().len() * 9, "{levels}: it is softened around the folds alone");
+        assert!(unchanged.count() * 10 > topology.triangles().len() * 9, "{levels}: only the folds are smoothed");
         let flat = Closing::FlatBack { thickness_m };
-        assert_eq!(Body::closed_or_smoothed(surface, &soft, flat), Body::closed(surface, flat), "it needs no room");
+        assert_eq!(
+            Body::closed_or_smoothed(surface, &soft, flat),
+            Body::closed(surface, flat),
+            "a flat back needs no smoothing"
+        );
     }
     let (topology, positions) = face(Triangulation::Canonical);
     let surface = Surface::new(&topology, &positions).unwrap();
-    let elsewhere: Vec<DVec3> = positions.iter().map(|place| *place * 1.1).collect();
+    let scaled: Vec<DVec3> = positions.iter().map(|position| *position * 1.1).collect();
     let wall = Closing::Thickness { thickness_m };
-    assert_eq!(Body::closed_or_smoothed(surface, &elsewhere, wall), Body::closed(surface, wall), "there is room");
+    assert_eq!(Body::closed_or_smoothed(surface, &scaled, wall), Body::closed(surface, wall), "there is room");
 }
 
 #[test]
-fn a_wall_that_is_too_thick_says_what_would_do() {
+fn the_error_for_a_thick_wall_gives_a_thickness_that_works() {
     let (topology, positions) = face(Triangulation::Canonical);
     let thickness_m = 0.5;
     let refused = closed(&topology, &positions, Closing::Thickness { thickness_m });
@@ -126,7 +131,7 @@ fn a_wall_that_is_too_thick_says_what_would_do() {
 }
 
 #[test]
-fn openings_are_closed_and_the_rim_is_not() {
+fn openings_are_filled() {
     let (open, positions) = face(Triangulation::Tessellation);
     let rims = open.boundary_loops();
     assert_eq!(rims.len(), 4);
@@ -138,14 +143,14 @@ fn openings_are_closed_and_the_rim_is_not() {
     }
     let filled = closed(&face(Triangulation::Canonical).0, &positions, CLOSINGS[2]).unwrap();
     let volume = closed(&open, &positions, CLOSINGS[2]).unwrap().volume_m3();
-    assert!((volume / filled.volume_m3() - 1.0).abs() < 0.005, "as the canonical triangles fill them");
+    assert!((volume / filled.volume_m3() - 1.0).abs() < 0.005, "like the canonical triangulation");
 }
 
 #[test]
-fn a_plate_has_the_volume_of_its_area_times_its_thickness() {
+fn a_plate_has_the_expected_volume() {
     for turn in [DQuat::IDENTITY, DQuat::from_euler(glam::EulerRot::XYZ, 0.3, -0.8, 0.5)] {
         let (topology, flat) = plane(7, 5);
-        let positions: Vec<DVec3> = flat.iter().map(|place| turn * *place).collect();
+        let positions: Vec<DVec3> = flat.iter().map(|position| turn * *position).collect();
         for thickness_m in [0.001, 0.01, 0.1] {
             let plate = closed(&topology, &positions, Closing::Thickness { thickness_m }).unwrap();
             let expected = 0.07 * 0.05 * thickness_m;
@@ -161,23 +166,23 @@ fn a_plate_has_the_volume_of_its_area_times_its_thickness() {
 }
 
 #[test]
-fn volume_grows_with_the_cube_of_the_size_and_does_not_change_with_the_place() {
+fn volume_scales_with_the_cube_of_the_size_and_is_invariant_to_position() {
     let (topology, positions) = face(Triangulation::Canonical);
     let turn = DQuat::from_euler(glam::EulerRot::XYZ, 0.2, 0.4, -0.3);
     for closing in CLOSINGS {
         let volume = closed(&topology, &positions, closing).unwrap().volume_m3();
-        let twice: Vec<DVec3> = positions.iter().map(|place| 2.0 * *place).collect();
+        let twice: Vec<DVec3> = positions.iter().map(|position| 2.0 * *position).collect();
         let larger = match closing {
             Closing::Thickness { thickness_m } => Closing::Thickness { thickness_m: 2.0 * thickness_m },
             Closing::FlatBack { thickness_m } => Closing::FlatBack { thickness_m: 2.0 * thickness_m },
         };
         let grown = closed(&topology, &twice, larger).unwrap().volume_m3();
         assert!((grown / volume / 8.0 - 1.0).abs() < 1e-12);
-        let shifted: Vec<DVec3> = positions.iter().map(|place| *place + DVec3::new(0.3, -2.0, 1.0)).collect();
+        let shifted: Vec<DVec3> = positions.iter().map(|position| *position + DVec3::new(0.3, -2.0, 1.0)).collect();
         let there = closed(&topology, &shifted, closing).unwrap().volume_m3();
         assert!((there / volume - 1.0).abs() < 1e-9);
         if let Closing::Thickness { .. } = closing {
-            let turned: Vec<DVec3> = positions.iter().map(|place| turn * *place).collect();
+            let turned: Vec<DVec3> = positions.iter().map(|position| turn * *position).collect();
             let there = closed(&topology, &turned, closing).unwrap().volume_m3();
             assert!((there / volume - 1.0).abs() < 1e-9);
         }
@@ -185,7 +190,7 @@ fn volume_grows_with_the_cube_of_the_size_and_does_not_change_with_the_place() {
 }
 
 #[test]
-fn what_is_no_disc_with_holes_is_refused_with_numbers() {
+fn invalid_surfaces_are_refused() {
     let positions = canonical_positions_m();
     let one = Closing::Thickness { thickness_m: 0.001 };
     let refused = |count: usize, triangles: Vec<[u32; 3]>| {
@@ -206,16 +211,16 @@ fn what_is_no_disc_with_holes_is_refused_with_numbers() {
     broken[3].y = f64::NAN;
     assert_eq!(closed(&topology, &broken, one), Err(SolidError::NotFinite { vertex: 3 }));
     let (topology, away) = plane(2, 2);
-    let away: Vec<DVec3> = away.iter().map(|place| DVec3::new(-place.x, place.y, place.z)).collect();
+    let away: Vec<DVec3> = away.iter().map(|position| DVec3::new(-position.x, position.y, position.z)).collect();
     assert_eq!(closed(&topology, &away, Closing::FlatBack { thickness_m: 0.1 }), Err(SolidError::NoFlatBack));
 }
 
 #[test]
-fn a_face_that_goes_through_itself_is_parted_and_says_how_far() {
+fn self_intersections_of_a_face_are_removed() {
     let (topology, mut positions) = face(Triangulation::Canonical);
-    // The nose's tip pushed out through the back of a cheek's triangles: two landmarks change places.
+    // Swapping two landmarks of the cheek makes the surface intersect itself.
     positions.swap(205, 50);
-    assert!(meets_itself(topology.triangles(), &positions).is_some(), "nothing was to be parted");
+    assert!(meets_itself(topology.triangles(), &positions).is_some(), "the input does not intersect itself");
     for closing in CLOSINGS {
         let body = closed(&topology, &positions, closing).unwrap();
         assert_watertight(&body);
@@ -227,7 +232,7 @@ fn a_face_that_goes_through_itself_is_parted_and_says_how_far() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// Bumps and dents of up to 25 mm, anywhere on the face, wider than they are high.
+    /// Bumps and dents of up to 25 mm, anywhere on the face, wider than high.
     #[test]
     fn faces_with_bumps_become_bodies(
         bumps in prop::collection::vec((0..468usize, prop::array::uniform3(-1.0..1.0f64), 0.0..0.025f64), 1..4),
@@ -235,16 +240,16 @@ proptest! {
     ) {
         let (topology, rest) = face(Triangulation::Canonical);
         let mut positions = rest.clone();
-        for (middle, way, height_m) in bumps {
-            let way = DVec3::from(way).normalize_or(DVec3::Z) * height_m;
-            for (place, at) in positions.iter_mut().zip(&rest) {
+        for (middle, displacement, height_m) in bumps {
+            let displacement = DVec3::from(displacement).normalize_or(DVec3::Z) * height_m;
+            for (position, at) in positions.iter_mut().zip(&rest) {
                 let near = (1.0 - at.distance(rest[middle]) / 0.06).max(0.0);
-                *place += way * near * near * (3.0 - 2.0 * near);
+                *position += displacement * near * near * (3.0 - 2.0 * near);
             }
         }
         for closing in [Closing::Thickness { thickness_m }, Closing::FlatBack { thickness_m }] {
             let body = match closed(&topology, &positions, closing) {
-                // Behind a sharp bump there may be no room for so thick a wall, but for the one that it says.
+                // Behind a sharp bump, the requested thickness may not fit, but the suggested one has to.
                 Err(SolidError::TooThick { most_m, .. }) => {
                     prop_assert!(most_m > 0.0008, "{most_m} m");
                     closed(&topology, &positions, Closing::Thickness { thickness_m: most_m }).unwrap()

@@ -86,7 +86,7 @@ impl Studio {
     /// As many photos of one face are read together at most.
     #[wasm_bindgen(getter, js_name = mostPhotos)]
     pub fn most_photos(&self) -> u32 {
-        rosto_face::MOST_PHOTOS as u32
+        rosto_face::MAX_PHOTOS as u32
     }
 
     /// The turns of the head that none of them shows: of "front", "left" and "right".

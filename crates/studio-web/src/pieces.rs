@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_face::Parted;
+use rosto_face::SplitFace;
 use rosto_session::OpenFace;
 use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 
@@ -8,15 +8,15 @@ use crate::error::Result;
 /// A face on the GPU with eyes and mouth in pieces of their own, while it shows an expression: so its lids and lips move before
 /// what lies behind them, and nothing is stretched between them.
 pub(crate) struct Pieces {
-    parted: Parted,
+    split_face: SplitFace,
     /// Where the pieces are; they follow edits from commit to commit, and expressions not at all.
     pieces_m: Vec<DVec3>,
 }
 
 impl Pieces {
     pub(crate) fn of(face: &OpenFace) -> Self {
-        let parted = face.document().parted().darkened(face.model().colours_srgb());
-        let mut pieces = Self { parted, pieces_m: Vec::new() };
+        let split_face = face.document().split_face().darkened(face.model().colours_srgb());
+        let mut pieces = Self { split_face, pieces_m: Vec::new() };
         pieces.settle(face);
         pieces
     }
@@ -24,7 +24,7 @@ impl Pieces {
     /// Puts the pieces to where the edits have taken them.
     pub(crate) fn settle(&mut self, face: &OpenFace) {
         let base_m = face.document().without_expressions();
-        self.pieces_m = self.parted.positions_m(&base_m).split_off(base_m.len());
+        self.pieces_m = self.split_face.positions_m(&base_m).split_off(base_m.len());
     }
 
     /// Shows the face so.
@@ -36,13 +36,13 @@ impl Pieces {
         picture: Option<&PictureOnGpu>,
     ) -> Result<()> {
         viewport.show(&MeshInput {
-            topology: self.parted.topology(),
+            topology: self.split_face.topology(),
             positions_m: &self.positions_m(face.document().committed()),
-            colours_srgb: &self.parted.colours(&face.colours_srgb(&face.uvs())),
-            uvs: &self.parted.uvs(uvs),
+            colours_srgb: &self.split_face.colours(&face.colours_srgb(&face.uvs())),
+            uvs: &self.split_face.uvs(uvs),
             picture,
         })?;
-        Ok(viewport.set_before(&self.parted.positions_m(face.document().rest()))?)
+        Ok(viewport.set_before(&self.split_face.positions_m(face.document().rest()))?)
     }
 
     /// Positions of the mesh, and those of the pieces.
@@ -53,7 +53,7 @@ impl Pieces {
     /// Values of the mesh, and what stands for them on the pieces.
     pub(crate) fn values(&self, of_mesh: &[f64], on_pieces: f64) -> Vec<f64> {
         let mut values = of_mesh.to_vec();
-        values.resize(self.parted.topology().vertex_count(), on_pieces);
+        values.resize(self.split_face.topology().vertex_count(), on_pieces);
         values
     }
 }

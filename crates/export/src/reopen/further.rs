@@ -1,4 +1,4 @@
-use rosto_face::{MOST_PHOTOS, PhotoLens, Triangulation};
+use rosto_face::{MAX_PHOTOS, PhotoLens, Triangulation};
 use serde_json::Value;
 
 use super::fields::{base64, colours, field, index, landmarks, size};
@@ -40,7 +40,7 @@ impl FurtherPhoto {
 /// Reads the further photos, if the file has any.
 pub(crate) fn further_photos(fields: Option<&Value>) -> Result<Option<Further>, ReopenError> {
     let Some(fields) = fields else { return Ok(None) };
-    let photos = fields["photos"].as_array().filter(|photos| (1..MOST_PHOTOS).contains(&photos.len()));
+    let photos = fields["photos"].as_array().filter(|photos| (1..MAX_PHOTOS).contains(&photos.len()));
     let photos: Vec<_> = photos.ok_or_else(field("further"))?.iter().map(photo).collect::<Result<_, _>>()?;
     let leads = index(&fields["leads"]).filter(|&index| index <= photos.len()).ok_or_else(field("further"))?;
     Ok(Some(Further { leads, photos }))

@@ -2,30 +2,30 @@ use glam::{DVec2, DVec3};
 
 use super::Camera;
 
-/// What a camera makes of places in the model.
+/// Projection and distance changes.
 impl Camera {
-    /// Where it sees a place, in px of the photo, y down; what is beside it or behind it is nowhere.
-    pub fn project(&self, place_m: DVec3) -> Option<DVec2> {
-        let seen_m = self.camera_from_model.transform_point3(place_m);
+    /// Projects a point of the model to px of the photo, y down; `None` if it is not in front of the camera.
+    pub fn project(&self, position_m: DVec3) -> Option<DVec2> {
+        let seen_m = self.camera_from_model.transform_point3(position_m);
         let px_per_m = match self.focal_px.is_finite() {
             true => self.focal_px / -seen_m.z,
             false => self.px_per_m,
         };
-        let place_px = self.principal_px + DVec2::new(seen_m.x, -seen_m.y) * px_per_m;
-        (seen_m.z < 0.0 && place_px.is_finite()).then_some(place_px)
+        let projected_px = self.principal_px + DVec2::new(seen_m.x, -seen_m.y) * px_per_m;
+        (seen_m.z < 0.0 && projected_px.is_finite()).then_some(projected_px)
     }
 
-    /// How far a place is from it along its axis, with the sign of what lies before it, in metres: larger is nearer.
-    pub fn towards_camera_m(&self, place_m: DVec3) -> f64 {
-        self.camera_from_model.transform_point3(place_m).z
+    /// z of a point in the camera's frame, in metres: negative in front of the camera, larger when nearer.
+    pub fn towards_camera_m(&self, position_m: DVec3) -> f64 {
+        self.camera_from_model.transform_point3(position_m).z
     }
 
-    /// The same camera gone back, or come nearer, to a distance, and its lens changed and shifted so that all that lies as
-    /// deep as `pivot_m` stays where it is in the photo, as large as it is.
+    /// Moves the camera to another distance, with a focal length and lens shift that keep the plane of `pivot_m`
+    /// unchanged in the photo (a dolly zoom).
     ///
-    /// With the pivot at P in the camera's frame and the distance k times as long, the camera stands so that the pivot is at
-    /// k·P, and has k times the focal length: a place at P + (x, y, 0) is then at (k·P.x + x) · k·f / (k·|P.z|), which differs
-    /// from where it was by the same for all x. The shift of the lens takes that back.
+    /// Let the pivot be at P in the camera's frame, and the distance change by a factor k. The pivot moves to k·P, and
+    /// the focal length becomes k·f. A point P + (x, y, 0) is then seen at (k·P.x + x) · k·f / (k·|P.z|), which differs
+    /// from before by the same amount for all x. The lens shift removes that difference.
     pub fn at_distance(&self, distance_m: f64, pivot_m: DVec3) -> Self {
         let Some(pivot_px) = self.project(pivot_m) else { return *self };
         let seen_m = self.camera_from_model.transform_point3(pivot_m);
@@ -37,8 +37,8 @@ impl Camera {
         let mut camera = *self;
         camera.camera_from_model.translation += moved_m - seen_m;
         (camera.focal_px, camera.distance_m) = (focal_px, distance_m);
-        let aside = DVec2::new(moved_m.x, -moved_m.y) * (focal_px / -moved_m.z);
-        camera.principal_px = pivot_px - aside;
+        let offset = DVec2::new(moved_m.x, -moved_m.y) * (focal_px / -moved_m.z);
+        camera.principal_px = pivot_px - offset;
         camera
     }
 }

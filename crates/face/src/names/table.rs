@@ -1,5 +1,5 @@
-/// The landmarks that anatomy or everyday speech has a word for, from the forehead down: a landmark of the midline or of
-/// the subject's right, and what it and its partner are called.
+/// Anatomical or everyday names, from the forehead down, of landmarks on the midline or the subject's right. A mirrored
+/// partner has the same name.
 #[rustfmt::skip]
 pub(super) static ANATOMICAL: [(u16, &str); 106] = [
     (10, "top-of-the-forehead"),

@@ -1,6 +1,6 @@
-//! The canonical face's own triangles, from the same file as the positions.
+//! Triangles of the canonical face, from the same file as the positions.
 
-/// Triangles with eyes and mouth filled; counter-clockwise for the viewer in front of the face.
+/// Triangles with filled eyes and mouth, counter-clockwise for a viewer in front of the face.
 #[rustfmt::skip]
 pub(crate) static CANONICAL: [[u16; 3]; 898] = [
     [173, 155, 133], [246, 33, 7], [382, 398, 362], [263, 466, 249], [308, 415, 324], [78, 95, 191],

@@ -1,4 +1,4 @@
-//! The published tables, each in a file of its own.
+//! Published tables, one per file.
 
 mod canonical;
 mod positions;
@@ -12,5 +12,5 @@ pub(crate) use procrustes::PROCRUSTES;
 pub(crate) use tessellation::TESSELLATION;
 pub(crate) use uvs::UVS;
 
-/// How many landmarks MediaPipe's face mesh has; a landmark's index is its vertex.
+/// Number of landmarks of MediaPipe's face mesh; a landmark's index is its vertex.
 pub const LANDMARK_COUNT: usize = 468;

@@ -1,9 +1,9 @@
-//! The canonical face's positions, as carried by `geometry_pipeline_metadata_landmarks.binarypb` of the npm package
-//! `@mediapipe/face_mesh`, at the six decimals of a centimetre that were published. The left side is the right one's exact
-//! mirror image, and left out.
+//! Positions of the canonical face, from `geometry_pipeline_metadata_landmarks.binarypb` in the npm package
+//! `@mediapipe/face_mesh`, with the published six decimals of a centimetre. The left side is omitted, because it is the
+//! exact mirror image of the right one.
 
-/// x, y, z of each landmark of the right side and the midline in units of 1e-6 cm: x to the subject's left, y up, z out of the
-/// face.
+/// x, y, z of the landmarks on the right side and the midline, in units of 1e-6 cm: x to the subject's left, y up, z out
+/// of the face.
 #[rustfmt::skip]
 pub(crate) static POSITIONS: [[i32; 3]; 248] = [
     [0, -3406404, 5979507], [0, -1126865, 7475604], [0, -2089024, 6058267], [-463928, 955357, 6633583],

@@ -1,6 +1,6 @@
-//! The landmarks that place the face in space, from the same file as the positions.
+//! Landmarks used for the Procrustes fit, from the same file as the positions.
 
-/// Landmark and weight (dimensionless); the rest weigh nothing in the fit.
+/// Landmark and weight (dimensionless); other landmarks have weight 0.
 #[rustfmt::skip]
 pub(crate) static PROCRUSTES: [(u16, f64); 33] = [
     (4, 0.0709099397), (6, 0.0321001448), (10, 0.00844655093), (33, 0.0587241687), (54, 0.00766708003),

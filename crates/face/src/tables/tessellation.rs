@@ -1,6 +1,6 @@
-//! MediaPipe's `FACEMESH_TESSELATION`: every three edges of that list in a row are one triangle.
+//! MediaPipe's `FACEMESH_TESSELATION`: each three consecutive edges of the list form a triangle.
 
-/// Triangles with eyes and mouth cut out; counter-clockwise for the viewer in front of the face.
+/// Triangles with open eyes and mouth, counter-clockwise for a viewer in front of the face.
 #[rustfmt::skip]
 pub(crate) static TESSELLATION: [[u16; 3]; 852] = [
     [127, 34, 139], [11, 0, 37], [232, 231, 120], [72, 37, 39], [128, 121, 47], [232, 121, 128], [104, 69, 67],

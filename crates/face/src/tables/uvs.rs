@@ -1,6 +1,6 @@
-//! The canonical face's texture coordinates, from the same file as the positions.
+//! Texture coordinates of the canonical face, from the same file as the positions.
 
-/// u, v of each landmark in units of 1e-6, origin at the top left.
+/// u, v of each landmark, in units of 1e-6, origin at the top left.
 #[rustfmt::skip]
 pub(crate) static UVS: [[i32; 2]; 468] = [
     [499977, 652534], [500026, 547487], [499974, 602372], [482113, 471979], [500151, 527156], [499910, 498253],

@@ -6,7 +6,7 @@ pub(crate) enum Colours {
     Grey,
     Rgb,
     YCbCr,
-    /// Inverted, as Adobe's programs store it: 255 is no ink.
+    /// Inverted, as Adobe's programs store it: 255 means no ink.
     Cmyk,
     /// Inverted like [`Self::Cmyk`], with the inks as luminance and chrominance.
     Ycck,

@@ -1,28 +1,28 @@
 use glam::{DVec3, IVec3};
 
-/// Cells along the longest side, at most: what is finer costs more than it saves.
-const MOST_CELLS: f64 = 96.0;
+/// Largest number of cells along an axis; a finer grid costs more than it saves.
+const MAX_CELLS: f64 = 96.0;
 
-/// Triangles by the cells of a regular grid that their boxes reach into.
+/// Uniform grid over the bounding boxes of triangles.
 pub(super) struct Grid {
     low: DVec3,
     cell: f64,
     counts: IVec3,
     boxes: Vec<[DVec3; 2]>,
-    /// For each cell where its triangles start in `members`, and where the last one ends.
+    /// Start of each cell's triangles in `members`, and the end of the last.
     starts: Vec<u32>,
     members: Vec<u32>,
 }
 
 impl Grid {
-    /// Cells are about as large as triangles are in the middle.
+    /// The cells are about as large as the average triangle.
     pub(super) fn new(triangles: &[[u32; 3]], positions: &[DVec3]) -> Self {
         let boxes: Vec<[DVec3; 2]> = triangles.iter().map(|corners| bounds(corners, positions)).collect();
         let low = boxes.iter().map(|[low, _]| *low).reduce(DVec3::min).unwrap_or_default();
         let high = boxes.iter().map(|[_, high]| *high).reduce(DVec3::max).unwrap_or_default();
         let sides: f64 = boxes.iter().map(|[low, high]| (*high - *low).max_element()).sum();
         let longest = (high - low).max_element().max(f64::MIN_POSITIVE);
-        let cell = (sides / boxes.len().max(1) as f64).max(longest / MOST_CELLS);
+        let cell = (sides / boxes.len().max(1) as f64).max(longest / MAX_CELLS);
         let counts = ((high - low) / cell).floor().as_ivec3() + 1;
         let mut grid = Self { low, cell, counts, boxes, starts: Vec::new(), members: Vec::new() };
         grid.sort_in();
@@ -48,19 +48,20 @@ impl Grid {
         (self.starts, self.members) = (starts, members);
     }
 
-    /// Every pair of triangles whose boxes meet and one of which is asked for, once.
-    pub(super) fn near_pairs(&self, is_asked_for: impl Fn(u32) -> bool, mut each: impl FnMut(u32, u32)) {
-        let asked_for: Vec<bool> = (0..self.boxes.len() as u32).map(is_asked_for).collect();
+    /// Calls `each` once for each pair of triangles with overlapping bounding boxes, if one of the two is selected.
+    pub(super) fn near_pairs(&self, is_selected: impl Fn(u32) -> bool, mut each: impl FnMut(u32, u32)) {
+        let selected: Vec<bool> = (0..self.boxes.len() as u32).map(is_selected).collect();
         for cell in 0..self.starts.len() - 1 {
             let members = &self.members[self.starts[cell] as usize..self.starts[cell + 1] as usize];
             for (at, &one) in members.iter().enumerate() {
                 for &other in &members[at + 1..] {
-                    if !asked_for[one as usize] && !asked_for[other as usize] {
+                    if !selected[one as usize] && !selected[other as usize] {
                         continue;
                     }
                     let ([low, high], [other_low, other_high]) = (self.boxes[one as usize], self.boxes[other as usize]);
                     let near = low.cmple(other_high).all() && other_low.cmple(high).all();
-                    // Boxes that meet do so in several cells; the lowest corner of what they share is in one.
+                    // Overlapping boxes share several cells; only the cell with the overlap's lowest corner reports the
+                    // pair.
                     if near && self.index(self.cell_of(low.max(other_low))) == cell {
                         each(one, other);
                     }
@@ -80,8 +81,8 @@ impl Grid {
         }
     }
 
-    fn cell_of(&self, place: DVec3) -> IVec3 {
-        ((place - self.low) / self.cell).floor().as_ivec3().clamp(IVec3::ZERO, self.counts - 1)
+    fn cell_of(&self, position: DVec3) -> IVec3 {
+        ((position - self.low) / self.cell).floor().as_ivec3().clamp(IVec3::ZERO, self.counts - 1)
     }
 
     fn index(&self, cell: IVec3) -> usize {

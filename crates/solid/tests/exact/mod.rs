@@ -1,20 +1,20 @@
-//! Whether a mesh goes through itself, told in another way than the crate does: every pair of triangles, in whole numbers.
+//! Independent test for self-intersections: all pairs of triangles, in exact integer arithmetic.
 
 use glam::DVec3;
 
-/// Positions are rounded to so many parts of a metre: 0.1 µm, far below what is printed.
+/// Positions are rounded to this many parts of a metre: 0.1 µm, far below the resolution of prints.
 const PARTS: f64 = 1e7;
 
-type Place = [i128; 3];
+type Point = [i128; 3];
 
-/// The first pair of triangles without a common corner that have a point in common.
+/// First intersecting pair of triangles without a shared corner.
 pub fn meets_itself(triangles: &[[u32; 3]], positions: &[DVec3]) -> Option<[[u32; 3]; 2]> {
-    let whole: Vec<Place> = positions.iter().map(|p| (*p * PARTS).round().to_array().map(|c| c as i128)).collect();
-    let places: Vec<[Place; 3]> =
+    let whole: Vec<Point> = positions.iter().map(|p| (*p * PARTS).round().to_array().map(|c| c as i128)).collect();
+    let corners_of: Vec<[Point; 3]> =
         triangles.iter().map(|corners| corners.map(|corner| whole[corner as usize])).collect();
     let mut by_x: Vec<usize> = (0..triangles.len()).collect();
     let ends = |at: usize, axis: usize| {
-        let along = places[at].map(|place| place[axis]);
+        let along = corners_of[at].map(|point| point[axis]);
         (along.into_iter().min().unwrap(), along.into_iter().max().unwrap())
     };
     by_x.sort_by_key(|&at| ends(at, 0).0);
@@ -25,7 +25,10 @@ pub fn meets_itself(triangles: &[[u32; 3]], positions: &[DVec3]) -> Option<[[u32
                 high < other_low || other_high < low
             });
             let joined = triangles[one].iter().any(|corner| triangles[other].contains(corner));
-            if !apart && !joined && (cuts(places[one], places[other]) || cuts(places[other], places[one])) {
+            if !apart
+                && !joined
+                && (cuts(corners_of[one], corners_of[other]) || cuts(corners_of[other], corners_of[one]))
+            {
                 return Some([triangles[one], triangles[other]]);
             }
         }
@@ -33,8 +36,8 @@ pub fn meets_itself(triangles: &[[u32; 3]], positions: &[DVec3]) -> Option<[[u32
     None
 }
 
-/// Whether a side of one triangle goes through the other.
-fn cuts(one: [Place; 3], other: [Place; 3]) -> bool {
+/// Whether an edge of one triangle passes through the other.
+fn cuts(one: [Point; 3], other: [Point; 3]) -> bool {
     (0..3).any(|at| {
         let (from, to) = (one[at], one[(at + 1) % 3]);
         let ends = [volume(other, from), volume(other, to)].map(i128::signum);
@@ -43,9 +46,9 @@ fn cuts(one: [Place; 3], other: [Place; 3]) -> bool {
     })
 }
 
-/// Six times the volume of a tetrahedron, with its sign.
-fn volume([a, b, c]: [Place; 3], d: Place) -> i128 {
-    let from = |p: Place| [p[0] - d[0], p[1] - d[1], p[2] - d[2]];
+/// Six times the signed volume of a tetrahedron.
+fn volume([a, b, c]: [Point; 3], d: Point) -> i128 {
+    let from = |p: Point| [p[0] - d[0], p[1] - d[1], p[2] - d[2]];
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (from(a), from(b), from(c));
     ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
 }

@@ -1,4 +1,4 @@
-//! Surfaces to close.
+//! Test surfaces.
 
 use glam::DVec3;
 use rosto_face::{Triangulation, canonical_positions_m};
@@ -8,27 +8,27 @@ pub fn face(triangulation: Triangulation) -> (Topology, Vec<DVec3>) {
     (triangulation.topology(), canonical_positions_m())
 }
 
-/// A rectangle of squares of 1 cm in the plane z = 0, each cut along a diagonal, facing +Z.
+/// A rectangle of 1 cm squares in the plane z = 0, each split along a diagonal, facing +Z.
 pub fn plane(columns: u32, rows: u32) -> (Topology, Vec<DVec3>) {
     let name = |column: u32, row: u32| row * (columns + 1) + column;
-    let places =
+    let positions =
         (0..=rows).flat_map(|row| (0..=columns).map(move |column| DVec3::new(column.into(), row.into(), 0.0) * 0.01));
     let cut = |(column, row): (u32, u32)| {
         let [a, b, c, d] = [name(column, row), name(column + 1, row), name(column + 1, row + 1), name(column, row + 1)];
         [[a, b, c], [a, c, d]]
     };
     let triangles = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row))).flat_map(cut).collect();
-    let positions: Vec<DVec3> = places.collect();
+    let positions: Vec<DVec3> = positions.collect();
     (Topology::new(positions.len(), triangles).unwrap(), positions)
 }
 
-/// The canonical face, and others made of it: turned, stretched, lopsided, with its parts pulled far.
+/// The canonical face and distorted versions of it.
 pub fn faces() -> Vec<(&'static str, Topology, Vec<DVec3>)> {
     let (topology, rest) = face(Triangulation::Canonical);
-    let bent = |bend: fn(DVec3) -> DVec3| rest.iter().map(|place| bend(*place)).collect::<Vec<_>>();
-    let pulled = |middle: usize, way: DVec3, reach_m: f64| {
-        let near = |place: &DVec3| (1.0 - place.distance(rest[middle]) / reach_m).max(0.0).powi(2);
-        rest.iter().map(|place| *place + way * near(place)).collect::<Vec<_>>()
+    let bent = |bend: fn(DVec3) -> DVec3| rest.iter().map(|position| bend(*position)).collect::<Vec<_>>();
+    let pulled = |middle: usize, displacement: DVec3, radius_m: f64| {
+        let near = |position: &DVec3| (1.0 - position.distance(rest[middle]) / radius_m).max(0.0).powi(2);
+        rest.iter().map(|position| *position + displacement * near(position)).collect::<Vec<_>>()
     };
     [
         ("as it is", rest.clone()),

@@ -1,7 +1,7 @@
 //! Further photos of the face that is open.
 
 use glam::{DQuat, DVec3};
-use rosto_face::{FaceError, MOST_PHOTOS, PhotoLens, Turn};
+use rosto_face::{FaceError, MAX_PHOTOS, PhotoLens, Turn};
 use rosto_session::{Changed, FurtherPhoto, Incoming, Intent, Selection, SessionError};
 use rosto_studio::Switch;
 
@@ -116,10 +116,10 @@ fn what_cannot_be_added_or_taken_away_changes_nothing() {
     assert_eq!(refused(Intent::AddPhoto(Box::new(nowhere))), reason.into());
     let missing = SessionError::NoSuchPhoto { photo: 2, count: 2 };
     assert_eq!(refused(Intent::RemovePhoto(2)), missing);
-    let mut full = session_of(with_further(vec![turned(30.0); MOST_PHOTOS - 1]));
-    let most = FaceError::PhotoCount { found: MOST_PHOTOS + 1, most: MOST_PHOTOS };
+    let mut full = session_of(with_further(vec![turned(30.0); MAX_PHOTOS - 1]));
+    let most = FaceError::PhotoCount { found: MAX_PHOTOS + 1, most: MAX_PHOTOS };
     assert_eq!(full.apply(add(-30.0)), Err(most.into()));
     let mut alone = session_of(found());
-    let last = FaceError::PhotoCount { found: 0, most: MOST_PHOTOS };
+    let last = FaceError::PhotoCount { found: 0, most: MAX_PHOTOS };
     assert_eq!(alone.apply(Intent::RemovePhoto(0)), Err(last.into()));
 }

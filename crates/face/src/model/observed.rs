@@ -1,4 +1,4 @@
-//! Landmarks as they are seen in a picture, in px, and the canonical face fitted to them.
+//! Conversion of landmarks to px, and the fit of the canonical face to them.
 
 use glam::{DAffine3, DVec3};
 
@@ -7,11 +7,11 @@ use crate::procrustes::{self, Pair, Similarity};
 use crate::tables::PROCRUSTES;
 use crate::{FaceError, LANDMARK_COUNT, canonical_positions_m};
 
-/// Whether landmarks found in a picture of that size, in px, are those of a face that
-/// [`FaceModel::new`](crate::FaceModel::new) takes.
+/// Checks whether landmarks found in a picture of `width` × `height` px are accepted by
+/// [`FaceModel::new`](crate::FaceModel::new).
 ///
 /// # Errors
-/// As [`FaceModel::new`](crate::FaceModel::new).
+/// See [`FaceModel::new`](crate::FaceModel::new).
 pub fn check_landmarks(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<(), FaceError> {
     fit_canonical_to(&in_px(landmarks, [width, height])?).map(|_| ())
 }
@@ -20,13 +20,13 @@ pub(super) fn check_count(what: &'static str, expected: usize, found: usize) -> 
     if found == expected { Ok(()) } else { Err(FaceError::WrongCount { what, expected, found }) }
 }
 
-/// From MediaPipe's normalised coordinates to right-handed px: y up, z towards the viewer.
+/// Maps MediaPipe's normalised coordinates to right-handed px: y up, z towards the viewer.
 pub(super) fn px_from_image([width, height]: [u32; 2]) -> DAffine3 {
     let (width, height) = (f64::from(width), f64::from(height));
     DAffine3::from_scale(DVec3::new(width, -height, -width))
 }
 
-/// 468 or 478 landmarks in px, y up, z towards the camera and 0 in the mean of the 468.
+/// 468 or 478 landmarks in px, y up, z towards the camera, with a mean depth of 0 over the 468.
 pub(super) fn in_px(landmarks: &[[f32; 3]], [width, height]: [u32; 2]) -> Result<Vec<DVec3>, FaceError> {
     if landmarks.len() != POINT_COUNT {
         check_count("landmarks", LANDMARK_COUNT, landmarks.len())?;
@@ -49,7 +49,7 @@ pub(super) fn fit_canonical_to(px: &[DVec3]) -> Result<Similarity, FaceError> {
     fit_to(&canonical_positions_m(), px)
 }
 
-/// A face whose landmarks are known, fitted to where they are seen, by MediaPipe's weights.
+/// Fits known landmarks to observed ones, with MediaPipe's weights.
 pub(super) fn fit_to(known_m: &[DVec3], px: &[DVec3]) -> Result<Similarity, FaceError> {
     let pairs: Vec<Pair> = PROCRUSTES
         .iter()
