@@ -60,7 +60,7 @@ test("both sides go together or apart, and rest takes all back as one change", {
   assert.equal(await fieldOf(editor, "mouthSmileRight").inputValue(), "20");
   const smiling = await editor.meshJson("mm");
   await editor.unfold("section-expressions");
-  await page.click("[data-action='come-to-rest']");
+  await page.click("[data-action='reset-expressions']");
   assert.ok(furthest(shape, await editor.meshJson("mm")) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), smiling);

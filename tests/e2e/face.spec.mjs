@@ -62,7 +62,7 @@ test("the sliders work by keyboard, speak Portuguese, and leave the selected lan
   for (let press = 0; press < 5; press++) await page.keyboard.press("ArrowRight");
   await page.waitForSelector("#history li");
   assert.deepEqual(await editor.history(), ["Largura da mandíbula"]);
-  assert.match(await page.innerText("#said"), /Largura da mandíbula: 0,5 milímetros/);
+  assert.match(await page.innerText("#announcement"), /Largura da mandíbula: 0,5 milímetros/);
   assert.equal(await editor.sliderValue("jaw-width"), 0.5);
   await editor.offset("z", 4);
   assert.equal((await editor.history()).length, 2);

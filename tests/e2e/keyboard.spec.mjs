@@ -14,14 +14,14 @@ test("everything from photo to file by keyboard alone", async ({ visitor, page }
   await page.focus("#landmark-search");
   await page.keyboard.type("nose tip");
   await page.keyboard.press("Enter");
-  assert.match(await page.innerText("#said"), /nose tip · \d+ selected/i);
+  assert.match(await page.innerText("#announcement"), /nose tip · \d+ selected/i);
   const before = await visitor.meshJson("mm");
 
   await visitor.reach("#landmark-sliders");
   await page.focus("#landmark-sliders [data-axis='z'] input[type=range]");
   for (let press = 0; press < 10; press++) await page.keyboard.press("ArrowRight");
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "1");
-  await page.waitForFunction(() => document.getElementById("said")?.textContent?.includes("z 1.0 mill"));
+  await page.waitForFunction(() => document.getElementById("announcement")?.textContent?.includes("z 1.0 mill"));
   assert.notDeepEqual(await visitor.meshJson("mm"), before);
 
   await page.keyboard.press("Control+z");
@@ -35,10 +35,10 @@ test("everything from photo to file by keyboard alone", async ({ visitor, page }
   await page.keyboard.press("Enter");
   assert.equal((await visitor.history()).length, 2);
   await page.keyboard.press("Control+z");
-  const undone = await page.textContent("#said");
+  const undone = await page.textContent("#announcement");
   await page.keyboard.press("Control+z");
   assert.equal(undone?.trim(), "Undone");
-  assert.notEqual(await page.textContent("#said"), undone, "undone twice, said once");
+  assert.notEqual(await page.textContent("#announcement"), undone, "undone twice, said once");
   await page.keyboard.press("Control+y");
   assert.equal((await visitor.history()).length, 1);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='y'] input[type=number]"), "0");

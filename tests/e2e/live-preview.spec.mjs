@@ -62,7 +62,7 @@ test("what is seen in the mirror is kept as a photo with its edits, and the came
   await openLivePreview(visitor);
   // An edit that is made in the mirror is kept as well.
   await visitor.slide("eye-size", 2);
-  await page.click("#live-keep");
+  await page.click("#live-save");
   await page.waitForSelector("#live", { state: "hidden" });
   await page.waitForSelector("#previous-face:visible");
   await visitor.untilFace();
@@ -99,18 +99,18 @@ test("in the mirror a face is lost and found, a worker that dies is said, and a 
   await openLivePreview(visitor);
   await page.evaluate(() => (window.isBlank = true));
   await page.waitForFunction(() => document.getElementById("live-status").textContent === "No face in view");
-  assert.ok(await page.isDisabled("#live-keep"));
+  assert.ok(await page.isDisabled("#live-save"));
   await page.evaluate(() => (window.isBlank = false));
-  await page.waitForSelector("#live-keep:enabled");
+  await page.waitForSelector("#live-save:enabled");
 
   await page.workers()[0].evaluate(dieBefore, "followed");
   assert.equal((await visitor.notice()).code, "worker-died");
-  await page.waitForSelector("#live-keep:enabled");
+  await page.waitForSelector("#live-save:enabled");
 
   await show(visitor, "hidden");
   await page.waitForFunction(() => window.cameraTracks.every(({ readyState }) => readyState === "ended"));
   await show(visitor, "visible");
-  await page.waitForSelector("#live-keep:enabled");
+  await page.waitForSelector("#live-save:enabled");
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 1 });
 
   // The other camera takes its place.
@@ -147,7 +147,7 @@ async function openLivePreview(visitor) {
 
 /** @param {Visitor} visitor */
 async function untilShown(visitor) {
-  await visitor.page.waitForSelector("#live-keep:enabled");
+  await visitor.page.waitForSelector("#live-save:enabled");
   await visitor.page.waitForSelector("#live-video", { state: "hidden" });
   if (!(await visitor.page.isVisible("#live-figures"))) await visitor.page.click("#live-figures-shown");
   await visitor.page.waitForSelector("#live-figures[data-frames]:not(:empty)");

@@ -88,21 +88,21 @@ test("the small photo shows every edit as it is made", async ({ editor }) => {
 test("both stand side by side where the window is wide, and a press on the photo gives it the stage", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 1440, height: 900 } });
   await visitor.openFace();
-  await visitor.page.click("#both");
+  await visitor.page.click("#split-view");
   await visitor.frames(4);
   const seen = await visitor.page.evaluate(() => {
-    const photo = document.getElementById("beside").getBoundingClientRect();
+    const photo = document.getElementById("photo-pane").getBoundingClientRect();
     const stage = document.getElementById("viewport").getBoundingClientRect();
-    return { share: photo.width / stage.width, width: document.getElementById("beside-photo").width };
+    return { share: photo.width / stage.width, width: document.getElementById("photo-pane-canvas").width };
   });
   assert.ok(seen.share > 0.4 && seen.share < 0.55 && seen.width > 150, JSON.stringify(seen));
   const nose = await visitor.landmarkPlace(4);
   assert.ok(nose.x > 1080 / 2, "the face in the round is in the other half");
-  await visitor.page.click("#beside");
+  await visitor.page.click("#photo-pane");
   assert.equal(await scene(visitor), "picture");
   await visitor.page.setViewportSize({ width: 800, height: 900 });
   await visitor.page.keyboard.press("p");
-  assert.ok(!(await visitor.page.isVisible("#beside")), "a narrow window has no room for both");
+  assert.ok(!(await visitor.page.isVisible("#photo-pane")), "a narrow window has no room for both");
 });
 
 test("what the brush keeps stays, with an undo of its own, and is there after a reload", async ({ visitor }) => {

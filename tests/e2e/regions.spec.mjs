@@ -13,7 +13,7 @@ const CHIN = 152;
 
 test("a region moves as one by its sliders, under its name, as the command line moves it", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.chooseRegion("left-brow");
-  assert.match(await page.innerText("#said"), /left brow selected/);
+  assert.match(await page.innerText("#announcement"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
   const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
   await editor.offset("y", 3);
@@ -93,7 +93,7 @@ test("one thing is reset by itself, in one step that undo takes back", { tag: "@
 
   await editor.unfold("section-history");
   await page.click("[data-action='reset-selection']");
-  assert.match(await page.innerText("#said"), /nose/);
+  assert.match(await page.innerText("#announcement"), /nose/);
   assert.deepEqual(await editor.meshJson("mm"), chin);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "0");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));

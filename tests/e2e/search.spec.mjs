@@ -61,7 +61,7 @@ test("only what nothing is called is an error, which looks like one until someth
   const wrong = await look();
   assert.equal(await page.getAttribute("#landmark-search", "aria-invalid"), "true");
   assert.match(await page.innerText("#landmark-help"), /moustache/);
-  assert.match(await page.innerText("#said"), /moustache/);
+  assert.match(await page.innerText("#announcement"), /moustache/);
   assert.equal(await page.inputValue("#landmark-search"), "moustache");
   assert.notEqual(wrong.border, fine.border);
   assert.notEqual(wrong.text, fine.text);

@@ -74,7 +74,7 @@ test("the face swings once in a clip of four seconds without any tool, and is th
   await page.click("#clip");
   await page.waitForSelector("#clip-progress");
   assert.equal(await page.innerText("#clip"), "Cancel (Esc)");
-  assert.equal(await page.innerText("#said"), "Recording the video");
+  assert.equal(await page.innerText("#announcement"), "Recording the video");
   const download = await coming;
   assert.equal(download.suggestedFilename(), "ana-turning.webm");
   const bytes = await readFile(await download.path());

@@ -34,7 +34,7 @@ test("the nose goes sideways, too, without mirroring, and up to a slider's end, 
 
   await editor.grab(tip, { x: 0, y: -600 });
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, at its limit");
-  assert.match(await page.innerText("#said"), /at its limit/);
+  assert.match(await page.innerText("#announcement"), /at its limit/);
   await page.mouse.up();
   const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));

@@ -101,7 +101,7 @@ test("on a phone the sheet leaves most of the face free; nothing overlaps or scr
   for (const tab of ["view", "export", "shape"]) {
     await page.click(`#tab-${tab}`);
     assert.deepEqual(await findings(page), [], tab);
-    assert.ok(await page.isVisible("#said"), `what is said to screen readers is not said on the ${tab} tab`);
+    assert.ok(await page.isVisible("#announcement"), `what is said to screen readers is not said on the ${tab} tab`);
   }
 });
 

@@ -36,7 +36,7 @@ import { VisionClient } from "./photo/vision-client.js";
 import { setUpPhotoFile } from "./share/photo-file.js";
 import { setUpSharePanel } from "./share/share-panel.js";
 import { setUpBeforeAfter } from "./viewport/before-after.js";
-import { setUpBeside } from "./viewport/beside.js";
+import { setUpSplitView } from "./viewport/split-view.js";
 import { setUpBrushMarks } from "./viewport/brush-marks.js";
 import { setUpViewportInsets } from "./viewport/viewport-insets.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
@@ -90,7 +90,7 @@ async function openHost() {
     setUpViewportInsets(opened);
     setUpViewKeys(opened, completeHint);
     setUpScene(opened);
-    setUpBeside(opened);
+    setUpSplitView(opened);
     setUpBrushMarks(opened);
     new LandmarkPanel(opened);
     setUpSelectionMode(opened);

@@ -10,7 +10,7 @@ const FIGURES_INTERVAL_MS = 500;
 export class LiveBar {
   #bar = byId("live", HTMLElement);
   #status = byId("live-status", HTMLParagraphElement);
-  #save = byId("live-keep", HTMLButtonElement);
+  #save = byId("live-save", HTMLButtonElement);
   #toggle = byId("live-figures-shown", HTMLButtonElement);
   #line = byId("live-figures", HTMLParagraphElement);
   #read;

@@ -7,7 +7,7 @@ import { byId } from "./dom.js";
  * @param {string} words
  */
 export function announce(words) {
-  const region = byId("said", HTMLParagraphElement);
+  const region = byId("announcement", HTMLParagraphElement);
   // A live region does not announce the same text twice; a no-break space makes it differ.
   region.textContent = region.textContent === words ? `${words}\u00a0` : words;
 }

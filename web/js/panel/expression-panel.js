@@ -36,7 +36,7 @@ export class ExpressionPanel {
     this.#sliders = this.#ids.map((id) => this.#makeSlider(id));
     byId("expressions", HTMLDivElement).append(...AREAS.map(([area, prefix]) => this.#makeArea(area, prefix)));
     this.#both.addEventListener("change", () => host.act((studio) => studio.setMirror(this.#both.checked)));
-    onAction("come-to-rest", () => {
+    onAction("reset-expressions", () => {
       host.act((studio) => studio.comeToRest());
       announce(t("expressions.rested"));
     });

@@ -159,7 +159,7 @@ export class PhotoOverlay {
     if (!taken) return;
     const photo = byId("photo", HTMLDivElement);
     const room_px = photo.checkVisibility() ? photo.clientWidth : 0;
-    const widest_px = Math.max(room_px, THUMBNAIL_PX, byId("beside", HTMLButtonElement).clientWidth);
+    const widest_px = Math.max(room_px, THUMBNAIL_PX, byId("photo-pane", HTMLButtonElement).clientWidth);
     const part = this.#live?.drawn(widest_px * devicePixelRatio) ?? taken;
     this.#drawThumbnail(part);
     drawBeside(part);
@@ -217,8 +217,8 @@ export class PhotoOverlay {
 
 /** @param {Part} part */
 function drawBeside(part) {
-  if (byId("beside", HTMLButtonElement).hidden) return;
-  const canvas = byId("beside-photo", HTMLCanvasElement);
+  if (byId("photo-pane", HTMLButtonElement).hidden) return;
+  const canvas = byId("photo-pane-canvas", HTMLCanvasElement);
   Object.assign(canvas, { width: part.width, height: part.height });
   canvas.getContext("2d")?.drawImage(part, 0, 0);
 }

@@ -54,11 +54,11 @@ export async function recordClip(host, wishes) {
  * @param {Wishes} wishes
  */
 async function film(host, swing, recorder, { signal, isSameFace, told }) {
-  const { life } = host;
+  const { instance } = host;
   // A studio that was started again shows the face from the front, and is another one.
   const check = () => {
     signal.throwIfAborted();
-    if (host.life !== life || !isSameFace()) throw new Error("another face has come");
+    if (host.instance !== instance || !isSameFace()) throw new Error("another face has come");
   };
   const draw = async (/** @type {number} */ share) => {
     swing.go(share);

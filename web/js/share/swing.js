@@ -6,7 +6,7 @@ const SWING = (35 * Math.PI) / 180;
 /** Turns the face to one side, to the other and back to where it was, as smoothly as a pendulum. */
 export class Swing {
   #host;
-  #life;
+  #instance;
   /** From where it was at first, in radians. */
   #turned = 0;
   /** Whether it turned by itself before. */
@@ -15,7 +15,7 @@ export class Swing {
   /** @param {Host} host */
   constructor(host) {
     this.#host = host;
-    this.#life = host.life;
+    this.#instance = host.instance;
     this.#turntable = host.read(({ turntable }) => turntable) ?? false;
     if (this.#turntable) host.act((studio) => studio.setTurntable(false));
   }
@@ -27,7 +27,7 @@ export class Swing {
 
   /** @param {boolean} turnsBack not where another face has come, which is seen from the front */
   end(turnsBack) {
-    if (this.#host.life !== this.#life) return;
+    if (this.#host.instance !== this.#instance) return;
     if (turnsBack) this.#turnTo(0);
     if (this.#turntable) this.#host.act((studio) => studio.setTurntable(true));
   }

@@ -8,7 +8,7 @@ import { byId } from "../page/dom.js";
  * @param {Host} host
  */
 export function setUpBrushMarks(host) {
-  const canvas = byId("kept", HTMLCanvasElement);
+  const canvas = byId("protected-areas", HTMLCanvasElement);
   /** @type {number | undefined} */
   let radius_px;
   /** @type {{ x: number, y: number } | undefined} */

@@ -14,21 +14,21 @@ const MARGIN_PX = 8;
  * @param {Host} host
  */
 export function setUpViewportInsets(host) {
-  const beside = byId("beside", HTMLButtonElement);
+  const photoPane = byId("photo-pane", HTMLButtonElement);
   const apply = () => {
     const stage = host.canvas.getBoundingClientRect();
     const isAbove = (/** @type {DOMRect} */ { top, bottom }) => top + bottom < stage.top + stage.bottom;
     const overlays = visibleOverlays().map((overlay) => overlay.getBoundingClientRect());
     const lowest = Math.max(stage.top, ...overlays.filter(isAbove).map(({ bottom }) => bottom + MARGIN_PX));
     const highest = Math.min(stage.bottom, ...overlays.filter((box) => !isAbove(box)).map(({ top }) => top - MARGIN_PX));
-    const { right } = beside.getBoundingClientRect();
-    const left = beside.hidden ? 0 : right - stage.left;
+    const { right } = photoPane.getBoundingClientRect();
+    const left = photoPane.hidden ? 0 : right - stage.left;
     const sides = [lowest - stage.top, 0, stage.bottom - highest, left].map((side) => side * devicePixelRatio);
     const [above = 0, after = 0, below = 0, before = 0] = sides;
     host.act((studio) => studio.setViewportInsets(above, after, below, before));
   };
   const observer = new ResizeObserver(apply);
-  for (const element of [host.canvas, beside, ...overlays()]) observer.observe(element);
+  for (const element of [host.canvas, photoPane, ...overlays()]) observer.observe(element);
   host.onRestart(async () => apply());
 }
 

@@ -11,22 +11,21 @@ const WIDE_WINDOW = matchMedia("(width >= 1080px)");
  *
  * @param {Host} host
  */
-export function setUpBeside(host) {
-  const button = byId("both", HTMLButtonElement);
-  const photo = byId("beside", HTMLButtonElement);
-  let isWanted = remembered("beside") === "yes";
+export function setUpSplitView(host) {
+  const button = byId("split-view", HTMLButtonElement);
+  const photo = byId("photo-pane", HTMLButtonElement);
+  let isWanted = remembered("split-view") === "yes";
   let isPhoto = false;
   const show = () => {
     const isShown = isWanted && WIDE_WINDOW.matches && !isPhoto && document.body.dataset["state"] === "face";
     button.setAttribute("aria-pressed", String(isShown));
     if (photo.hidden !== isShown) return;
     photo.hidden = !isShown;
-    document.body.toggleAttribute("data-beside", isShown);
     host.updatePhoto();
   };
   const setWanted = (/** @type {boolean} */ wanted) => {
     isWanted = wanted;
-    remember("beside", wanted ? "yes" : "no");
+    remember("split-view", wanted ? "yes" : "no");
     show();
   };
   button.addEventListener("click", () => {
