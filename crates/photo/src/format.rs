@@ -55,7 +55,7 @@ fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
 
 /// HEIC and AVIF share a container and differ in their brands.
 ///
-/// The major brand decides, followed by a 4-byte version; if it fits both formats, the compatible brands decide.
+/// The major brand (followed by a 4-byte version) decides, unless it fits both formats; then the compatible brands do.
 fn iso_media_format(bytes: &[u8]) -> Option<&'static str> {
     let length = u32::from_be_bytes(*bytes.first_chunk()?) as usize;
     let brands = bytes.get(8..length.clamp(12, bytes.len().max(12)))?.as_chunks::<4>().0;

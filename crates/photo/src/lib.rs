@@ -1,8 +1,8 @@
 //! Decodes photos to upright, bounded sRGB pictures.
 //!
 //! [`decode`] detects JPEG, PNG and WebP by their first bytes and checks the size before it allocates the pixels. It
-//! applies the EXIF orientation once, converts the colours to sRGB, and blends transparent pixels over white. Other
-//! encodings are read from an ICC profile such as Display P3 and, in PNG, from code points or a gamma.
+//! applies the EXIF orientation once, converts the colours to sRGB, and blends transparent pixels over white. The colour
+//! encoding comes from an ICC profile such as Display P3 or, in PNG, from code points or a gamma.
 //!
 //! A JPEG may lack up to a twentieth of its rows, or the last refinement bits if it is progressive. The result is a
 //! [`Photo`]: 8-bit RGB, row-major, upright, not mirrored, with the focal length from EXIF.

@@ -70,7 +70,7 @@ impl Photo {
         self.focal_length_35mm.map(f64::from)
     }
 
-    /// Takes the focal length from the HEIC or AVIF file that this photo was decoded from elsewhere.
+    /// Takes the focal length from the HEIC or AVIF file from which another decoder produced this photo.
     pub fn with_lens_of(self, container: &[u8]) -> Self {
         let focal_length_35mm = Exif::focal_length_35mm_in_container(container, self.width, self.height);
         Self { focal_length_35mm, ..self }

@@ -25,7 +25,6 @@ pub(crate) const VERSION: u64 = 1;
 ///
 /// These fields describe the lead photo. For a face from several photos, `further` lists the others and `leads` is the
 /// index of the lead photo among all of them, in input order:
-/// among them all, in the order that they were given in:
 /// ```json
 /// {"leads": 0, "photos": [{"photo_px": [512, 512], "lens": "estimated", "landmarks": "", "colours": "", "picture": {}}]}
 /// ```

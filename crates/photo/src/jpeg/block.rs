@@ -131,7 +131,7 @@ pub(crate) fn refine_band(
     Some(())
 }
 
-/// Refines non-zero coefficients, skipping `zeros` zero ones. Returns the index of the next zero, or `last + 1`.
+/// Refines non-zero coefficients, skipping `zeros` others. Returns the index of the next zero, or `last + 1`.
 fn refine(bits: &mut Bits<'_>, mut zeros: usize, [first, last]: [usize; 2], low: u8, block: &mut [i16; 64]) -> usize {
     for k in first..=last {
         let value = &mut block[usize::from(ZIGZAG[k])];
