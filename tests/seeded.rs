@@ -1,10 +1,10 @@
-//! Random cases that are the same on every platform and in every run.
+//! Reproducible random test data.
 
-#![allow(dead_code, reason = "each crate takes what its tests need")]
+#![allow(dead_code, reason = "each test uses a part of it")]
 
 use glam::{DQuat, DVec3};
 
-/// Steele, Lea and Flood's SplitMix64.
+/// SplitMix64 (Steele, Lea and Flood).
 pub struct Seeded(u64);
 
 impl Seeded {
@@ -24,7 +24,7 @@ impl Seeded {
         (self.bits() % limit as u64) as usize
     }
 
-    /// Between −1 and 1.
+    /// Uniform in −1 to 1.
     pub fn signed(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
@@ -37,7 +37,7 @@ impl Seeded {
         DQuat::from_axis_angle(self.vector().normalize_or(DVec3::Z), 3.0 * self.signed())
     }
 
-    /// `count` different vertices.
+    /// `count` distinct vertices.
     pub fn vertices(&mut self, count: usize, vertex_count: usize) -> Vec<u32> {
         let mut all: Vec<u32> = (0..vertex_count as u32).collect();
         (0..count).map(|_| all.swap_remove(self.below(all.len()))).collect()

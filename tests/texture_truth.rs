@@ -1,4 +1,4 @@
-//! A head whose texture is known all around, and photos that are taken of it.
+//! A head with a known texture, and rendered photos of it.
 
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use rosto_face::*;
@@ -10,14 +10,14 @@ use rosto_texture::spans;
 use crate::faces::portrait_landmarks;
 use crate::seeded::Seeded;
 
-/// From the camera to the middle of the head.
+/// Distance from the camera to the head's centre.
 pub const DISTANCE_M: f64 = 0.6;
-/// Of the pictures that are taken.
+/// Side of the rendered photos.
 pub const SIZE_PX: u32 = 1024;
-/// What lies so far behind the nearest is hidden.
+/// Depth tolerance of visibility.
 const BEHIND_M: f64 = 0.002;
 
-/// A head at rest with its texture.
+/// A head at rest and its texture.
 pub struct Head {
     pub mesh: Document,
     pub landmarks_m: Vec<DVec3>,
@@ -26,34 +26,34 @@ pub struct Head {
     pub texture: Photo,
 }
 
-/// The face in a square picture.
+/// Model of a face in a square picture.
 pub fn face(picture: Photo, landmarks: &[[f32; 3]], lens: PhotoLens) -> FaceModel {
     let (width, height, colours) = (picture.width(), picture.height(), [[0; 3]; LANDMARK_COUNT]);
     let input = FaceInput { landmarks, width, height, colours: &colours, picture, lens };
-    FaceModel::new(input, Triangulation::Canonical).expect("the landmarks are a face's")
+    FaceModel::new(input, Triangulation::Canonical).expect("the landmarks form a face")
 }
 
 impl Head {
-    /// The shape of a face, with a texture over the canonical coordinates.
+    /// A head with the shape of a face, textured in canonical coordinates.
     pub fn new(landmarks_m: &[DVec3], texture: Photo) -> Self {
         let topology = Triangulation::Canonical.topology();
         let rest = Rest::new(topology, landmarks_m.to_vec(), CoordinateFrame::Model);
-        let mut mesh = Document::new(rest).expect("a face");
-        mesh.set_density(SMOOTH_DENSITY).expect("no more than there can be");
+        let mut mesh = Document::new(rest).expect("the mesh is valid");
+        mesh.set_density(SMOOTH_DENSITY).expect("the density is in range");
         let (places_m, atlas_uvs) = (mesh.rest().to_vec(), mesh.from_cage(&canonical_uvs()));
         Self { mesh, landmarks_m: landmarks_m.to_vec(), places_m, atlas_uvs, texture }
     }
 
-    /// The sample portrait's shape, with [`painted`] skin.
+    /// The sample portrait's shape with a [`painted`] texture.
     pub fn painted(side_px: u32) -> Self {
-        let blank = Photo::from_rgb(512, 512, vec![0; 512 * 512 * 3]).expect("as many bytes as pixels");
+        let blank = Photo::from_rgb(512, 512, vec![0; 512 * 512 * 3]).expect("three bytes per pixel");
         let shape = face(blank.clone(), &portrait_landmarks(), PhotoLens::Estimated);
         let bare = Self::new(shape.positions_m(), blank);
         let texture = painted(&bare, side_px);
         Self { texture, ..bare }
     }
 
-    /// A camera that looks at the head, which is turned to its own left by so much.
+    /// A camera in front of the head, which is turned to its own left.
     pub fn camera(&self, yaw_deg: f64) -> Camera {
         let middle_m = self.landmarks_m.iter().sum::<DVec3>() / LANDMARK_COUNT as f64;
         let rotation = DQuat::from_rotation_y(yaw_deg.to_radians());
@@ -70,18 +70,18 @@ impl Head {
         }
     }
 
-    /// The landmarks as a camera sees them, in MediaPipe's convention.
+    /// Landmarks projected by a camera, in MediaPipe's convention.
     pub fn landmarks(&self, camera: &Camera) -> Vec<[f32; 3]> {
         let size = f64::from(SIZE_PX);
         let seen = |place_m: &DVec3| {
-            let place_px = camera.project(*place_m).expect("the head is before the camera");
+            let place_px = camera.project(*place_m).expect("the head is in front of the camera");
             let away_px = -(camera.towards_camera_m(*place_m) + DISTANCE_M) * camera.px_per_m;
             [place_px.x / size, place_px.y / size, away_px / size].map(|value| value as f32)
         };
         self.landmarks_m.iter().map(seen).collect()
     }
 
-    /// A photo of the head before a bright background with coloured blobs.
+    /// Renders the head in front of a bright background with coloured blobs.
     pub fn photo(&self, camera: &Camera) -> Photo {
         let side = 2 * SIZE_PX as usize;
         let mut pixels: Vec<[u8; 3]> = (0..side * side).map(|i| background(i % side, i / side, side)).collect();
@@ -91,12 +91,12 @@ impl Head {
             let [a, b, c] = corners.map(|corner| atlas_px[corner as usize] * texture_px);
             pixels[pixel] = sampler.at(a * shares.x + b * shares.y + c * shares.z).map(|level| (level + 0.5) as u8);
         });
-        let large = Photo::from_rgb(side as u32, side as u32, pixels.concat()).expect("as many bytes as pixels");
+        let large = Photo::from_rgb(side as u32, side as u32, pixels.concat()).expect("three bytes per pixel");
         large.scaled_down(SIZE_PX)
     }
 
-    /// Calls for each pixel that is nearer than what was before in it; returns how near each pixel is. There are `scale` by
-    /// `scale` for each of the camera's.
+    /// Rasterises the head with a depth buffer at `scale` times the camera's resolution; calls `paint` for each pixel
+    /// that passes the depth test. Returns the depth buffer.
     fn drawn(&self, camera: &Camera, scale: usize, mut paint: impl FnMut(usize, [u32; 3], DVec3)) -> Vec<f64> {
         let (side, scale) = (scale * SIZE_PX as usize, scale as f64);
         let mut nearest = vec![f64::NEG_INFINITY; side * side];
@@ -119,7 +119,7 @@ impl Head {
         nearest
     }
 
-    /// Which texels of a texture of `side_px` a camera sees, at less than some 80°.
+    /// Texels of a texture of `side_px` that a camera sees at an angle below about 80°.
     pub fn seen(&self, camera: &Camera, side_px: usize) -> Vec<bool> {
         let side = SIZE_PX as usize;
         let nearest = self.drawn(camera, 1, |_, _, _| ());
@@ -127,11 +127,11 @@ impl Head {
         let normals = vertex_normals(self.mesh.topology(), &self.places_m);
         let mut seen = vec![false; side_px * side_px];
         self.over_the_texture(side_px, |texel, corners, shares| {
-            let between = |of: &[DVec3]| -> DVec3 {
+            let interpolated = |of: &[DVec3]| -> DVec3 {
                 corners.iter().zip(shares.to_array()).map(|(corner, share)| of[*corner as usize] * share).sum()
             };
-            let place_m = between(&self.places_m);
-            let front = between(&normals).dot((eye_m - place_m).normalize());
+            let place_m = interpolated(&self.places_m);
+            let front = interpolated(&normals).dot((eye_m - place_m).normalize());
             let at = camera.project(place_m).unwrap_or(DVec2::ZERO).as_uvec2();
             let before_m = nearest[at.y as usize * side + at.x as usize] - camera.towards_camera_m(place_m);
             seen[texel] = front > 0.17 && before_m < BEHIND_M;
@@ -139,7 +139,7 @@ impl Head {
         seen
     }
 
-    /// Calls for each texel that shows the head.
+    /// Calls `visit` for each texel covered by the head.
     pub fn over_the_texture(&self, side_px: usize, mut visit: impl FnMut(usize, [u32; 3], DVec3)) {
         for &corners in self.mesh.topology().triangles() {
             let places = corners.map(|corner| self.atlas_uvs[corner as usize] * side_px as f64);
@@ -149,14 +149,14 @@ impl Head {
         }
     }
 
-    /// How much of each dense vertex belongs to regions.
+    /// Share of each dense vertex in the regions.
     pub fn share_of(&self, regions: &[Region]) -> Vec<f64> {
         let mut marks = vec![0.0; LANDMARK_COUNT];
         regions.iter().flat_map(|region| region.vertices()).for_each(|vertex| marks[vertex as usize] = 1.0);
         self.mesh.from_cage(&marks)
     }
 
-    /// Which texels are skin: neither eyes nor brows nor lips.
+    /// Texels of skin, without eyes, eyebrows and lips.
     pub fn skin(&self, side_px: usize) -> Vec<bool> {
         use Region::{LeftBrow, LeftEye, Lips, RightBrow, RightEye};
         let features = self.share_of(&[RightEye, LeftEye, Lips, RightBrow, LeftBrow]);
@@ -167,7 +167,7 @@ impl Head {
         skin
     }
 
-    /// The texture that each texel has where the photo is projected onto the mesh, as seen or not.
+    /// The photo projected onto the mesh, regardless of visibility.
     pub fn projected(&self, face: &FaceModel, side_px: usize) -> Photo {
         let places = self.mesh.from_cage(face.uvs());
         let (sampler, size) = (Sampler::new(face.picture()), f64::from(face.picture().width()));
@@ -176,11 +176,11 @@ impl Head {
             let [a, b, c] = corners.map(|corner| places[corner as usize] * size);
             pixels[texel] = sampler.at(a * shares.x + b * shares.y + c * shares.z).map(|level| (level + 0.5) as u8);
         });
-        Photo::from_rgb(side_px as u32, side_px as u32, pixels.concat()).expect("as many bytes as texels")
+        Photo::from_rgb(side_px as u32, side_px as u32, pixels.concat()).expect("three bytes per texel")
     }
 }
 
-/// White, with blobs of a deep colour beside the head.
+/// White with coloured blobs next to the head.
 fn background(x: usize, y: usize, side: usize) -> [u8; 3] {
     const BLOBS: [([f64; 2], [u8; 3]); 5] = [
         ([0.18, 0.45], [200, 30, 40]),
@@ -190,11 +190,11 @@ fn background(x: usize, y: usize, side: usize) -> [u8; 3] {
         ([0.5, 0.95], [240, 200, 30]),
     ];
     let at = DVec2::new(x as f64, y as f64) / side as f64;
-    let blob = BLOBS.iter().find(|(middle, _)| at.distance(DVec2::from(*middle)) < 0.13);
+    let blob = BLOBS.iter().find(|(centre, _)| at.distance(DVec2::from(*centre)) < 0.13);
     blob.map_or([250, 250, 252], |(_, colour)| *colour)
 }
 
-/// Skin with pores, freckles and a light from one side, which differ from left to right; eyes, brows and lips.
+/// Skin with pores, freckles, asymmetric light, eyes, eyebrows and lips.
 fn painted(head: &Head, side_px: u32) -> Photo {
     let side = side_px as usize;
     let features: [(&[Region], DVec3); 4] = [
@@ -216,14 +216,14 @@ fn painted(head: &Head, side_px: u32) -> Photo {
                 corners.iter().zip(shares.to_array()).map(|(corner, of)| share[*corner as usize] * of).sum();
             colour = colour.lerp(*feature, 0.8 * share.clamp(0.0, 1.0));
         }
-        let dark = freckles.iter().filter(|(middle, radius)| at.distance(*middle) < *radius).count();
+        let dark = freckles.iter().filter(|(centre, radius)| at.distance(*centre) < *radius).count();
         colour *= 0.8_f64.powi(dark.min(2) as i32);
-        // Brighter to one side, by a light that reaches further down on the other.
+        // Brighter on one side.
         colour *= 0.88 + 0.3 * (at.x - 0.5) * (1.0 - 0.5 * at.y) + 0.04 * (at.y - 0.5);
         colour *= 1.0 + 0.05 * grain(at * 90.0) + 0.04 * grain(at * 260.0);
         pixels[texel] = colour.to_array().map(|level| (level + 0.5) as u8);
     });
-    Photo::from_rgb(side_px, side_px, pixels.concat()).expect("as many bytes as texels")
+    Photo::from_rgb(side_px, side_px, pixels.concat()).expect("three bytes per texel")
 }
 
 /// Value noise, −1 to 1.
@@ -239,12 +239,12 @@ fn grain(at: DVec2) -> f64 {
     along(0.0) + (along(1.0) - along(0.0)) * smooth.y
 }
 
-/// Median and 95 % of what two textures differ by in the mean of a texel's channels, in levels.
+/// Median and 95th percentile of the difference between two textures: mean over a texel's channels, in levels.
 pub fn errors(truth: &Photo, found: &Photo, texels: &[bool]) -> [f64; 2] {
     let pairs = truth.pixels().as_chunks::<3>().0.iter().zip(found.pixels().as_chunks::<3>().0);
-    let wanted = pairs.zip(texels).filter(|(_, is)| **is).map(|(pair, _)| pair);
+    let selected = pairs.zip(texels).filter(|(_, is)| **is).map(|(pair, _)| pair);
     let difference = |(a, b): (&[u8; 3], &[u8; 3])| (0..3).map(|i| f64::from(a[i].abs_diff(b[i]))).sum::<f64>() / 3.0;
-    let mut errors: Vec<f64> = wanted.map(difference).collect();
+    let mut errors: Vec<f64> = selected.map(difference).collect();
     errors.sort_by(f64::total_cmp);
     [0.5, 0.95].map(|share| errors.get((errors.len() as f64 * share) as usize).copied().unwrap_or(f64::NAN))
 }

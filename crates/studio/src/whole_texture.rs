@@ -48,7 +48,7 @@ pub fn whole_texture(face: &FaceModel, side_px: u32) -> Result<Texture, StudioEr
 /// Whole-face texture from several photos. The face's own photo sets the brightness.
 ///
 /// # Errors
-/// See [`whole_texture`]. Also [`StudioError::Texture`] if there are more than [`rosto_texture::MOST_SHOTS`] photos in
+/// See [`whole_texture`]. Also [`StudioError::Texture`] if there are more than [`rosto_texture::MAX_SHOTS`] photos in
 /// all, or if a shot does not have 468 finite positions.
 pub fn whole_texture_of(face: &FaceModel, others: &[Shot<'_>], side_px: u32) -> Result<Texture, StudioError> {
     others.iter().try_for_each(check)?;
@@ -73,7 +73,7 @@ pub fn texture_plan(face: &FaceModel, others: &[(&[DVec2], &Camera)]) -> Plan {
         positions: &positions,
         atlas_uvs: &dense.interpolate(&canonical_uvs()),
         partners: &dense.partners,
-        wholes: &wholes,
+        features: &wholes,
     };
     let mut plan = Plan::new(&subject);
     for (uvs, camera) in [(face.uvs(), face.camera())].into_iter().chain(others.iter().copied()) {

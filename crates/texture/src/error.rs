@@ -1,62 +1,62 @@
 use rosto_photo::PhotoError;
 use thiserror::Error;
 
-use crate::{MOST_SHOTS, SIDES_PX};
+use crate::{MAX_SHOTS, SIDES_PX};
 
-/// Why a texture cannot be made.
+/// Reasons why a texture cannot be made.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TextureError {
-    /// The side is too short, too long, or no power of two.
-    #[error("a texture's side must be a power of two from {} to {} px, not {side_px}", SIDES_PX.start(), SIDES_PX.end())]
+    /// The side is out of range or not a power of two.
+    #[error("a texture's side must be a power of two from {} to {} px; got {side_px}", SIDES_PX.start(), SIDES_PX.end())]
     Side {
-        /// The side asked for.
+        /// Requested side.
         side_px: u32,
     },
-    /// There is no photo, or there are too many.
-    #[error("a texture is made of 1 to {MOST_SHOTS} photos, not {found}")]
+    /// There is no photo, or more than [`MAX_SHOTS`].
+    #[error("a texture needs 1 to {MAX_SHOTS} photos; got {found}")]
     ShotCount {
-        /// Photos given.
+        /// Number of photos.
         found: usize,
     },
-    /// There is not one value for each vertex.
+    /// The number of values differs from the number of vertices.
     #[error("{found} {what} for {expected} vertices")]
     WrongLength {
-        /// What there is a wrong number of.
+        /// Kind of values.
         what: &'static str,
         /// Number of vertices.
         expected: usize,
-        /// Values given.
+        /// Number of values.
         found: usize,
     },
-    /// A value is infinite or not a number.
+    /// A value is infinite or NaN.
     #[error("{what} of vertex {vertex} is not finite")]
     NotFinite {
-        /// What has such a value.
+        /// Kind of values.
         what: &'static str,
-        /// The first vertex that does.
+        /// First such vertex.
         vertex: usize,
     },
-    /// A vertex is named that the mesh does not have.
-    #[error("vertex {vertex} is named among {what}, and the mesh has {vertex_count}")]
+    /// A list refers to a vertex that does not exist.
+    #[error("{what} refer to vertex {vertex}, but the mesh has {vertex_count} vertices")]
     VertexOutOfRange {
-        /// Where it is named.
+        /// The list.
         what: &'static str,
-        /// The first such vertex.
+        /// First such vertex.
         vertex: u32,
         /// Number of vertices.
         vertex_count: usize,
     },
-    /// No texel shows the mesh: it has no area in its texture coordinates, or lies outside of 0..=1.
-    #[error("the mesh covers nothing of its texture")]
+    /// The mesh covers no texel: its texture coordinates have no area or lie outside 0..=1.
+    #[error("the mesh covers no part of its texture")]
     NoArea,
-    /// All of the mesh is turned away from its photos, hidden, or beside them.
-    #[error("none of the {shots} photos shows anything of the mesh")]
+    /// The whole mesh faces away, is hidden, or lies outside the photos.
+    #[error("none of the {shots} photos shows any part of the mesh")]
     NothingSeen {
-        /// Photos given.
+        /// Number of photos.
         shots: usize,
     },
-    /// The picture cannot be made.
+    /// The picture cannot be created.
     #[error(transparent)]
     Photo(#[from] PhotoError),
 }

@@ -5,101 +5,100 @@ use rosto_photo::{Photo, Sampler};
 use crate::atlas::{Atlas, pitch};
 use crate::depths::{Depths, LONGER_SIDE};
 use crate::map::{AREA, CELLS, blurred, distances, mean_around, ramp};
-use crate::trust::{Sight, trusted};
+use crate::trust::{Observation, trusted};
 use crate::{Shot, Subject};
 
-/// Which side of the mesh a layer shows on each.
+/// Side of the mesh that a layer's colours come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
-    /// Its own.
+    /// The same side.
     Own,
-    /// The other one's mirror image.
+    /// The opposite side, mirrored.
     Mirrored,
 }
 
-/// A surface is seen if the cosine of the angle to its normal is more than this: beside what lies behind the mesh, and where
-/// nothing but the mesh can be seen.
-const LEAST_COSINES: [f32; 2] = [0.22, 0.05];
-/// What lies less than this behind the nearest is seen all the same, in shares of the mesh's extent: some 1.5 mm of a face.
+/// Minimum cosine of the viewing angle: near the background, and where only the mesh is close.
+const MIN_COSINES: [f32; 2] = [0.22, 0.05];
+/// Depth tolerance of visibility, as a share of the mesh's extent; about 1.5 mm on a face.
 const BEHIND: f64 = 0.008;
-/// So many times as far may it lie behind in a whole, whose surface is known less well.
-const BEHIND_IN_WHOLES: f64 = 4.0;
-/// And its cosines are those of what is around them: [`mean_around`]'s times.
+/// Factor of the tolerance inside features, whose surface is less precise.
+const BEHIND_IN_FEATURES: f64 = 4.0;
+/// Levels of [`mean_around`] that smooth cosines inside features.
 const AROUND: u32 = 3;
-/// What borders on what is not seen is given up, and what is a little further away fades, in cells.
+/// Fade towards hidden areas: start and end in cells.
 const FADES: [f32; 2] = [3.0, 12.0];
-/// At the mesh's rim, where a pixel of the photo is half of what lies behind, in cells.
+/// Fade at the mesh's rim, where pixels mix with the background: start and end in cells.
 const RIM_FADES: [f32; 2] = [1.0, 4.0];
-/// What is finer than this blur is detail: [`blurred`]'s times.
+/// Levels of [`mean_around`]; finer structures are detail.
 const DETAIL: u32 = 3;
 
-/// What one photo shows of one side of the mesh, laid out in the texture.
+/// One side of the mesh as one photo shows it, resampled to the texture.
 pub(crate) struct Layer {
     pub(crate) side: Side,
-    /// Where each vertex takes its colour from, in px of the picture.
-    pub(crate) places_px: Vec<DVec2>,
-    /// The colours in sRGB levels.
+    /// Source position of each vertex, in px of the picture.
+    pub(crate) positions_px: Vec<DVec2>,
+    /// Colours in sRGB levels.
     pub(crate) colours: Vec<Vec3>,
-    /// The same without what is detail.
+    /// Colours without detail.
     pub(crate) low: Vec<Vec3>,
-    /// How far each cell is seen and can be trusted: 0 to 1.
+    /// Visibility and reliability, 0 to 1.
     pub(crate) presence: Vec<f32>,
-    /// Cosine of the angle at which it is seen.
+    /// Cosine of the viewing angle.
     pub(crate) cosine: Vec<f32>,
 }
 
-/// A photo with what both of its layers need.
-pub(crate) struct Seen<'a> {
+/// A photo with the data that both of its layers share.
+pub(crate) struct PreparedShot<'a> {
     subject: &'a Subject<'a>,
     shot: &'a Shot<'a>,
-    /// The picture with about one pixel for each texel, or as it is where it has less.
+    /// The picture, scaled down to about one pixel per texel.
     pub(crate) picture: Photo,
-    /// The same for each cell.
+    /// The picture, scaled down to about one pixel per cell.
     small: Photo,
     cosines: Vec<f64>,
     nearness: Vec<f64>,
     depths: Depths,
-    /// Length of the mesh's positions that one pixel of the depth picture spans.
+    /// Model length per pixel of the depth buffer.
     depth_pitch: f64,
     extent: f64,
 }
 
-impl<'a> Seen<'a> {
+impl<'a> PreparedShot<'a> {
     pub(crate) fn new(subject: &'a Subject<'a>, shot: &'a Shot<'a>, side_px: u32) -> Self {
         let positions = subject.positions;
         let normals = vertex_normals(subject.topology, positions);
-        let cosines = normals.iter().zip(positions).map(|(normal, place)| normal.dot(shot.eye.from(*place)));
-        let nearness: Vec<f64> = positions.iter().map(|place| shot.eye.nearness(*place)).collect();
-        let places_px = in_px(shot.uvs, shot.picture);
-        let depths = Depths::new(subject.topology, &places_px, &nearness);
+        let cosines = normals.iter().zip(positions).map(|(normal, position)| normal.dot(shot.eye.from(*position)));
+        let nearness: Vec<f64> = positions.iter().map(|position| shot.eye.nearness(*position)).collect();
+        let positions_px = in_px(shot.uvs, shot.picture);
+        let depths = Depths::new(subject.topology, &positions_px, &nearness);
         let low = positions.iter().copied().reduce(DVec3::min).unwrap_or_default();
         let extent = (positions.iter().copied().reduce(DVec3::max).unwrap_or_default() - low).max_element();
-        let scaled = |side: f64| at_pitch(shot.picture, pitch(subject, &places_px, side));
+        let scaled = |side: f64| at_pitch(shot.picture, pitch(subject, &positions_px, side));
         let (picture, small) = (scaled(f64::from(side_px)), scaled(CELLS as f64));
         let depth_pitch = extent / LONGER_SIDE;
         Self { subject, shot, picture, small, cosines: cosines.collect(), nearness, depths, depth_pitch, extent }
     }
 
-    /// One side of it, laid out. `wholes` is how far each cell belongs to a whole.
-    pub(crate) fn layer(&self, atlas: &Atlas, side: Side, wholes: &[f32]) -> Layer {
+    /// Resamples one side. `features` is how far each cell belongs to a feature.
+    pub(crate) fn layer(&self, atlas: &Atlas, side: Side, features: &[f32]) -> Layer {
         let uvs = self.of_side(side, self.shot.uvs);
         let spread_uvs = atlas.spread(&uvs);
         let cosine = atlas.spread(&self.of_side(side, &self.cosines));
         let cosine: Vec<f32> = cosine.into_iter().map(|cosine| cosine.unwrap_or_default() as f32).collect();
-        let cosine = smooth_in_wholes(atlas, cosine, wholes);
+        let cosine = smooth_in_features(atlas, cosine, features);
         let nearness = atlas.spread(&self.of_side(side, &self.nearness));
         let is_seen = |cell: usize| match (spread_uvs[cell], nearness[cell]) {
-            (Some(uv), Some(nearness)) => self.is_seen(uv, nearness, cosine[cell], wholes[cell]),
+            (Some(uv), Some(nearness)) => self.is_seen(uv, nearness, cosine[cell], features[cell]),
             _ => false,
         };
         let seen = majority(atlas, &(0..AREA).map(is_seen).collect::<Vec<bool>>());
         let colours = self.colours(&spread_uvs);
         let surrounded: Vec<bool> = spread_uvs.iter().map(|uv| uv.is_some_and(|uv| self.is_surrounded(uv))).collect();
-        let sight = Sight { colours: &colours, cosine: &cosine, seen: &seen, surrounded: &surrounded };
-        let usable = trusted(atlas, &sight, wholes);
+        let observation = Observation { colours: &colours, cosine: &cosine, seen: &seen, surrounded: &surrounded };
+        let usable = trusted(atlas, &observation, features);
         let presence = presence(atlas, &usable);
         let low = mean_around(&colours, &presence, DETAIL).0;
-        Layer { side, places_px: in_px(&uvs, &self.picture), colours, low, presence, cosine }
+        Layer { side, positions_px: in_px(&uvs, &self.picture), colours, low, presence, cosine }
     }
 
     fn of_side<T: Copy>(&self, side: Side, values: &[T]) -> Vec<T> {
@@ -109,18 +108,18 @@ impl<'a> Seen<'a> {
         }
     }
 
-    fn is_seen(&self, uv: DVec2, nearness: f64, cosine: f32, whole: f32) -> bool {
-        let place_px = uv * size(self.shot.picture);
-        let inside = (place_px.cmpge(DVec2::ONE) & place_px.cmple(size(self.shot.picture) - 1.0)).all();
-        let least = if self.is_surrounded(uv) { LEAST_COSINES[1] } else { LEAST_COSINES[0] };
-        if !inside || cosine < least {
+    fn is_seen(&self, uv: DVec2, nearness: f64, cosine: f32, feature: f32) -> bool {
+        let position_px = uv * size(self.shot.picture);
+        let inside = (position_px.cmpge(DVec2::ONE) & position_px.cmple(size(self.shot.picture) - 1.0)).all();
+        let min_cosine = if self.is_surrounded(uv) { MIN_COSINES[1] } else { MIN_COSINES[0] };
+        if !inside || cosine < min_cosine {
             return false;
         }
-        // Within a pixel of the depth picture, a slope goes on.
+        // Depth changes within a pixel of the depth buffer, depending on the slope.
         let cosine = f64::from(cosine.min(1.0));
         let slope = (1.0 - cosine * cosine).sqrt() / cosine;
-        let behind = BEHIND * self.extent * (1.0 + (BEHIND_IN_WHOLES - 1.0) * f64::from(whole));
-        self.depths.behind(place_px, nearness) <= behind + slope * self.depth_pitch
+        let behind = BEHIND * self.extent * (1.0 + (BEHIND_IN_FEATURES - 1.0) * f64::from(feature));
+        self.depths.behind(position_px, nearness) <= behind + slope * self.depth_pitch
     }
 
     fn is_surrounded(&self, uv: DVec2) -> bool {
@@ -134,15 +133,15 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// What fills an eye or a mouth, and lips that are open, lie in folds that the mesh tells little about.
-fn smooth_in_wholes(atlas: &Atlas, cosine: Vec<f32>, wholes: &[f32]) -> Vec<f32> {
+/// Smooths cosines in eyes and mouth, whose folds the mesh represents poorly.
+fn smooth_in_features(atlas: &Atlas, cosine: Vec<f32>, features: &[f32]) -> Vec<f32> {
     let inside: Vec<f32> = (0..AREA).map(|cell| f32::from(u8::from(atlas.is_inside(cell)))).collect();
     let smooth = mean_around(&cosine, &inside, AROUND).0;
-    let both = cosine.iter().zip(smooth).zip(wholes);
-    both.map(|((cosine, smooth), whole)| cosine + (smooth - cosine) * whole).collect()
+    let both = cosine.iter().zip(smooth).zip(features);
+    both.map(|((cosine, smooth), feature)| cosine + (smooth - cosine) * feature).collect()
 }
 
-/// Without specks: what most of the mesh around them is.
+/// Removes specks by a majority filter.
 fn majority(atlas: &Atlas, seen: &[bool]) -> Vec<bool> {
     let around = |is_some: &dyn Fn(usize) -> bool| {
         let map: Vec<f32> = (0..AREA).map(|cell| f32::from(u8::from(is_some(cell)))).collect();
@@ -152,7 +151,7 @@ fn majority(atlas: &Atlas, seen: &[bool]) -> Vec<bool> {
     (0..AREA).map(|cell| seen[cell] && 2.0 * shares[cell] > all[cell]).collect()
 }
 
-/// Fades towards what cannot be used, and less far towards where the mesh ends.
+/// Fades towards unusable areas and, over a shorter distance, towards the mesh's rim.
 fn presence(atlas: &Atlas, usable: &[bool]) -> Vec<f32> {
     let outside: Vec<bool> = (0..AREA).map(|cell| !atlas.is_inside(cell)).collect();
     let lost: Vec<bool> = (0..AREA).map(|cell| !outside[cell] && !usable[cell]).collect();
@@ -171,7 +170,7 @@ fn in_px(uvs: &[DVec2], photo: &Photo) -> Vec<DVec2> {
     uvs.iter().map(|uv| *uv * size(photo)).collect()
 }
 
-/// The picture scaled down by as much, if it is more than 1.
+/// The picture scaled down by `pitch`, if that is above 1.
 fn at_pitch(photo: &Photo, pitch: f64) -> Photo {
     let longer = f64::from(photo.width().max(photo.height()));
     photo.scaled_down((longer / pitch.max(1.0)) as u32)

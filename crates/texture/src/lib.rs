@@ -1,14 +1,13 @@
-//! Photos of a mesh to one picture in the mesh's own texture coordinates.
+//! Bakes photos of a mesh into one picture in the mesh's texture coordinates.
 //!
-//! [`texture`] lays each [`Shot`] out in the texture of a [`Subject`] twice, as it is and as the mirror image of its other
-//! side (`layer`), and takes of each what is seen (`depths`) and is of the mesh and not before or behind it (`trust`). Light
-//! is matched where two show the same (`matching`), slow colours are mixed, details come from the best (`blend`), and what
-//! none shows is filled from around it (`filling`, `grain`). All of this is worked out on small maps (`map`), which the texels are
-//! then drawn by (`draw`). Knows nothing of faces.
+//! [`texture`] resamples each [`Shot`] to the texture of a [`Subject`] twice, directly and mirrored (`layer`). Of each,
+//! it uses the parts that are visible (`depths`) and that show the mesh rather than an occluder or the background
+//! (`trust`). It matches exposures where two layers overlap (`matching`), averages low frequencies and takes details
+//! from the best layer (`blend`), and fills the rest from its surroundings (`filling`, `grain`). These steps work on
+//! small maps (`map`), from which the texels are rendered (`draw`). The crate does not depend on faces.
 
 mod atlas;
 mod bake;
-mod between;
 mod blend;
 mod depths;
 mod draw;
@@ -21,18 +20,19 @@ mod map;
 mod matching;
 mod plan;
 mod raster;
+mod sampling;
 mod subject;
 mod trust;
 
 pub use bake::{Texture, texture};
 pub use blend::Shares;
 pub use error::TextureError;
-pub use limits::{MOST_SHOTS, SIDES_PX};
+pub use limits::{MAX_SHOTS, SIDES_PX};
 pub use plan::Plan;
 pub use raster::{Span, spans};
 pub use subject::{Eye, Shot, Subject};
 
-/// The examples of the README are tested with those of the code.
+/// Tests the README's examples.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -1,28 +1,28 @@
-//! Small square pictures of smooth things: what is slower than a detail is worked out at this size, whatever the texture's.
+//! Small square maps of smooth quantities, of a fixed size for all textures.
 
 use std::ops::{Add, Mul};
 
 use glam::Vec3;
 
-/// Cells along each side; lengths below are in cells.
+/// Cells along each side; other lengths in this crate's maps are in cells.
 pub(crate) const CELLS: usize = 256;
 
 /// Number of cells.
 pub(crate) const AREA: usize = CELLS * CELLS;
 
-/// What a cell can hold: a number or a colour.
+/// Value of a cell: a number or a colour.
 pub(crate) trait Value: Copy + Default + Add<Output = Self> + Mul<f32, Output = Self> {}
 
 impl<T: Copy + Default + Add<Output = T> + Mul<f32, Output = T>> Value for T {}
 
-/// The cubic B-spline's weights.
+/// Weights of the cubic B-spline.
 const TAPS: [f32; 5] = [0.0625, 0.25, 0.375, 0.25, 0.0625];
 
-/// Blurred as often, each time with the taps twice as far apart ("à trous"): the standard deviation is 1, 2.2, 4.6, 9.2 … cells.
-/// What is beyond the border counts as nothing. Sums of what is not negative only, so that what is nothing stays so exactly.
-pub(crate) fn blurred<T: Value>(map: &[T], times: u32, side: usize) -> Vec<T> {
+/// Blurs `levels` times, doubling the distance of the taps each time ("à trous"): standard deviations of 1, 2.2, 4.6,
+/// 9.2 … cells. Values beyond the border count as zero. Weights are non-negative, so zeros stay exact.
+pub(crate) fn blurred<T: Value>(map: &[T], levels: u32, side: usize) -> Vec<T> {
     let mut blurred = map.to_vec();
-    for level in 0..times {
+    for level in 0..levels {
         let once = along_columns(&blurred, 1 << level, side);
         blurred = along_rows(&once, 1 << level, side);
     }
@@ -57,32 +57,32 @@ fn add<T: Value>(sums: &mut [T], values: &[T], weight: f32) {
     sums.iter_mut().zip(values).for_each(|(sum, value)| *sum = *sum + *value * weight);
 }
 
-/// The mean of what is around each cell, by weights, with how much weight there was.
-pub(crate) fn mean_around<T: Value>(map: &[T], weights: &[f32], times: u32) -> (Vec<T>, Vec<f32>) {
+/// Weighted local mean around each cell, and the sum of the weights.
+pub(crate) fn mean_around<T: Value>(map: &[T], weights: &[f32], levels: u32) -> (Vec<T>, Vec<f32>) {
     let weighted: Vec<T> = map.iter().zip(weights).map(|(value, weight)| *value * *weight).collect();
-    let (sums, weights) = (blurred(&weighted, times, CELLS), blurred(weights, times, CELLS));
+    let (sums, weights) = (blurred(&weighted, levels, CELLS), blurred(weights, levels, CELLS));
     let means = sums.iter().zip(&weights).map(|(sum, weight)| divided(*sum, *weight));
     (means.collect(), weights)
 }
 
-/// Nothing where there is no weight.
+/// The quotient, or zero for zero weight.
 pub(crate) fn divided<T: Value>(sum: T, weight: f32) -> T {
     if weight > 0.0 { sum * (1.0 / weight) } else { T::default() }
 }
 
-/// 0 up to `from`, 1 from `to` on, and smooth between them.
+/// Smoothstep: 0 up to `from`, 1 from `to` on.
 pub(crate) fn ramp(value: f32, from: f32, to: f32) -> f32 {
     let share = ((value - from) / (to - from)).clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }
 
-/// How far each cell is from the nearest of some, in cells, by steps along rows, columns and diagonals; what is beyond the
-/// border is none of them. Exact along these, and 8 % too long between.
+/// Chamfer distance from each cell to the nearest source, in cells. Exact along rows, columns and diagonals, up to 8 %
+/// too long in between.
 pub(crate) fn distances(sources: &[bool]) -> Vec<f32> {
     const FAR: u32 = u32::MAX / 2;
     let mut steps: Vec<u32> = sources.iter().map(|is_source| if *is_source { 0 } else { FAR }).collect();
-    // Thirds of a cell: 3 straight on, 4 across.
-    let mut reach = |cell: usize, row: usize, ahead: [(isize, isize, u32); 4]| {
+    // In thirds of a cell: 3 for a straight step, 4 for a diagonal one.
+    let mut relax = |cell: usize, row: usize, ahead: [(isize, isize, u32); 4]| {
         let column = cell % CELLS;
         for (down, right, length) in ahead {
             let (row, column) = (row.wrapping_add_signed(down), column.wrapping_add_signed(right));
@@ -92,15 +92,15 @@ pub(crate) fn distances(sources: &[bool]) -> Vec<f32> {
         }
     };
     for cell in 0..AREA {
-        reach(cell, cell / CELLS, [(0, -1, 3), (-1, -1, 4), (-1, 0, 3), (-1, 1, 4)]);
+        relax(cell, cell / CELLS, [(0, -1, 3), (-1, -1, 4), (-1, 0, 3), (-1, 1, 4)]);
     }
     for cell in (0..AREA).rev() {
-        reach(cell, cell / CELLS, [(0, 1, 3), (1, 1, 4), (1, 0, 3), (1, -1, 4)]);
+        relax(cell, cell / CELLS, [(0, 1, 3), (1, 1, 4), (1, 0, 3), (1, -1, 4)]);
     }
     steps.into_iter().map(|steps| steps as f32 / 3.0).collect()
 }
 
-/// Half up, and what is beyond 0 and 255 ends there.
+/// Rounds half up; the cast saturates.
 pub(crate) fn bytes(levels: Vec3) -> [u8; 3] {
     levels.to_array().map(|level| (level + 0.5) as u8)
 }

@@ -3,49 +3,50 @@ use glam::Vec3;
 use crate::filling::filled;
 use crate::map::{divided, mean_around};
 
-/// A blur as wide as light changes: [`mean_around`]'s times.
+/// Levels of [`mean_around`] that match the scale of lighting.
 const LIGHT: u32 = 4;
-/// By how much a colour is made brighter or darker at most.
-const MOST: f32 = 2.5;
-/// Of that, what differs from place to place is this at most.
-const MOST_LOCAL: f32 = 1.5;
-/// What differs by more than this after the gain, or in one channel by so much more than in another, is not the same thing.
+/// Maximum factor of a colour.
+const MAX_RATIO: f32 = 2.5;
+/// Maximum local factor, on top of the global gain.
+const MAX_LOCAL_RATIO: f32 = 1.5;
+/// Limits on brightness and on the ratio between channels, after the gain; beyond them, two colours show different
+/// things.
 const BRIGHTER: f32 = 1.8;
 const REDDER: f32 = 1.35;
-/// With so much of the blur's weight in the overlap, a cell's own ratio is taken for certain.
-const CERTAIN: f32 = 0.1;
+/// Weight of the overlap at which a cell's own ratio is fully trusted.
+const FULL_WEIGHT: f32 = 0.1;
 
-/// By how much colours must be multiplied, channel by channel, to be as bright as others of the same places: one gain, then
-/// what differs slowly from place to place. Where only one is known, the ratio goes on from where both are.
-pub(crate) fn ratios(colours: &[Vec3], wanted: &[Vec3], overlap: &[f32]) -> Vec<Vec3> {
+/// Ratios per channel that match colours to a reference: a global gain times a slowly varying local ratio. Outside the
+/// overlap, the local ratio is extrapolated.
+pub(crate) fn ratios(colours: &[Vec3], reference: &[Vec3], overlap: &[f32]) -> Vec<Vec3> {
     let sum = |of: &[Vec3]| of.iter().zip(overlap).fold(Vec3::ZERO, |sum, (colour, weight)| sum + *colour * *weight);
-    let gain = ratio(sum(wanted), sum(colours));
-    let alike = |(colour, wanted): (&Vec3, &Vec3)| is_light(ratio(*wanted, *colour * gain));
-    let alike = colours.iter().zip(wanted).map(alike).zip(overlap);
+    let gain = ratio(sum(reference), sum(colours));
+    let alike = |(colour, reference): (&Vec3, &Vec3)| is_light(ratio(*reference, *colour * gain));
+    let alike = colours.iter().zip(reference).map(alike).zip(overlap);
     let overlap: Vec<f32> = alike.map(|(is_light, overlap)| if is_light { *overlap } else { 0.0 }).collect();
     let (means, weights) = mean_around(colours, &overlap, LIGHT);
-    let wanted_means = mean_around(wanted, &overlap, LIGHT).0;
-    // As what is more or less than 1, so that it is 1 where nothing is known at all.
-    let local = |(wanted, mean): (&Vec3, &Vec3)| local_ratio(*wanted, *mean * gain) - Vec3::ONE;
-    let local: Vec<Vec3> = wanted_means.iter().zip(&means).map(local).collect();
-    let known: Vec<f32> = weights.into_iter().map(|weight| (weight / CERTAIN).min(1.0)).collect();
+    let reference_means = mean_around(reference, &overlap, LIGHT).0;
+    // Relative to 1, so that filling yields 1 without an overlap.
+    let local = |(reference, mean): (&Vec3, &Vec3)| local_ratio(*reference, *mean * gain) - Vec3::ONE;
+    let local: Vec<Vec3> = reference_means.iter().zip(&means).map(local).collect();
+    let known: Vec<f32> = weights.into_iter().map(|weight| (weight / FULL_WEIGHT).min(1.0)).collect();
     filled(&local, &known).into_iter().map(|more| (more + Vec3::ONE) * gain).collect()
 }
 
-/// Whether a ratio is one that light makes, and not that of two things.
+/// Whether a difference in lighting can explain the ratio.
 fn is_light(ratio: Vec3) -> bool {
     let (most, least) = (ratio.max_element(), ratio.min_element());
     most < BRIGHTER && least * BRIGHTER > 1.0 && most < REDDER * least
 }
 
-fn local_ratio(wanted: Vec3, found: Vec3) -> Vec3 {
-    ratio(wanted, found).clamp(Vec3::splat(1.0 / MOST_LOCAL), Vec3::splat(MOST_LOCAL))
+fn local_ratio(reference: Vec3, found: Vec3) -> Vec3 {
+    ratio(reference, found).clamp(Vec3::splat(1.0 / MAX_LOCAL_RATIO), Vec3::splat(MAX_LOCAL_RATIO))
 }
 
-/// 1 where there is nothing to compare.
-fn ratio(wanted: Vec3, found: Vec3) -> Vec3 {
-    let channel = |wanted: f32, found: f32| {
-        if found > 0.0 && wanted > 0.0 { divided(wanted, found).clamp(1.0 / MOST, MOST) } else { 1.0 }
+/// Ratio per channel; 1 where a value is missing.
+fn ratio(reference: Vec3, found: Vec3) -> Vec3 {
+    let channel = |reference: f32, found: f32| {
+        if found > 0.0 && reference > 0.0 { divided(reference, found).clamp(1.0 / MAX_RATIO, MAX_RATIO) } else { 1.0 }
     };
-    Vec3::new(channel(wanted.x, found.x), channel(wanted.y, found.y), channel(wanted.z, found.z))
+    Vec3::new(channel(reference.x, found.x), channel(reference.y, found.y), channel(reference.z, found.z))
 }

@@ -4,48 +4,48 @@ use rosto_photo::Photo;
 
 use crate::{Eye, Shot, Subject, Texture, TextureError, texture};
 
-/// All that a texture is made of but for the pixels: a [`Subject`], and where its photos were taken from. It owns what it
-/// holds and can be handed on as bytes, so that a texture can be made elsewhere than where the mesh is.
+/// Inputs of a texture without the pixels: a [`Subject`] and the viewpoints of its photos. A plan owns its data and can
+/// be sent as bytes, to bake the texture in another process.
 ///
-/// Numbers are cut to single precision: what machines round differently in the last place of a mesh is to make no other
-/// texture.
+/// Numbers are rounded to single precision, so that differences in a mesh's last digits between machines do not change
+/// the texture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     topology: Topology,
     positions: Vec<DVec3>,
     atlas_uvs: Vec<DVec2>,
     partners: Vec<u32>,
-    wholes: Vec<Vec<u32>>,
-    /// Where each vertex is seen in each photo, and where it was taken from.
+    features: Vec<Vec<u32>>,
+    /// Texture coordinates in each photo, and its viewpoint.
     shots: Vec<(Vec<DVec2>, Eye)>,
 }
 
 impl Plan {
-    /// A plan for a mesh that no photo has been given of yet.
+    /// Creates a plan without photos.
     pub fn new(subject: &Subject<'_>) -> Self {
         Self {
             topology: subject.topology.clone(),
-            positions: subject.positions.iter().copied().map(cut).collect(),
-            atlas_uvs: cut_uvs(subject.atlas_uvs),
+            positions: subject.positions.iter().copied().map(rounded).collect(),
+            atlas_uvs: rounded_uvs(subject.atlas_uvs),
             partners: subject.partners.to_vec(),
-            wholes: subject.wholes.to_vec(),
+            features: subject.features.to_vec(),
             shots: Vec::new(),
         }
     }
 
-    /// Adds a photo by where each vertex is seen in it, 0..=1 from its top left, and by where it was taken from.
+    /// Adds a photo: texture coordinates of each vertex in it, 0..=1 from its top left, and its viewpoint.
     pub fn add(&mut self, uvs: &[DVec2], eye: Eye) {
         let eye = match eye {
-            Eye::At(place) => Eye::At(cut(place)),
-            Eye::Towards(direction) => Eye::Towards(cut(direction)),
+            Eye::At(position) => Eye::At(rounded(position)),
+            Eye::Towards(direction) => Eye::Towards(rounded(direction)),
         };
-        self.shots.push((cut_uvs(uvs), eye));
+        self.shots.push((rounded_uvs(uvs), eye));
     }
 
-    /// Makes the texture of the photos' upright pictures, in the order in which they were added.
+    /// Bakes the texture from the photos' upright pictures, in the order in which the photos were added.
     ///
     /// # Errors
-    /// As [`texture`]; [`TextureError::ShotCount`] as well if there is not one picture for each photo.
+    /// See [`texture`]. Also [`TextureError::ShotCount`] if the numbers of pictures and photos differ.
     pub fn texture(&self, pictures: &[&Photo], side_px: u32) -> Result<Texture, TextureError> {
         if pictures.len() != self.shots.len() {
             return Err(TextureError::ShotCount { found: pictures.len() });
@@ -55,26 +55,26 @@ impl Plan {
             positions: &self.positions,
             atlas_uvs: &self.atlas_uvs,
             partners: &self.partners,
-            wholes: &self.wholes,
+            features: &self.features,
         };
         let shots = pictures.iter().zip(&self.shots);
         let shots: Vec<Shot<'_>> = shots.map(|(picture, (uvs, eye))| Shot { picture, uvs, eye: *eye }).collect();
         texture(&subject, &shots, side_px)
     }
 
-    /// The plan as bytes, for [`Self::from_bytes`] of the same version of this crate.
+    /// Serialises the plan for [`Self::from_bytes`] of the same version of this crate.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         push_indices(&mut bytes, self.topology.triangles().as_flattened());
-        push_numbers(&mut bytes, self.positions.iter().flat_map(|place| place.to_array()));
+        push_numbers(&mut bytes, self.positions.iter().flat_map(|position| position.to_array()));
         push_numbers(&mut bytes, self.atlas_uvs.iter().flat_map(|uv| uv.to_array()));
         push_indices(&mut bytes, &self.partners);
-        push_count(&mut bytes, self.wholes.len());
-        self.wholes.iter().for_each(|whole| push_indices(&mut bytes, whole));
+        push_count(&mut bytes, self.features.len());
+        self.features.iter().for_each(|feature| push_indices(&mut bytes, feature));
         push_count(&mut bytes, self.shots.len());
         for (uvs, eye) in &self.shots {
             let (is_near, eye) = match eye {
-                Eye::At(place) => (true, place),
+                Eye::At(position) => (true, position),
                 Eye::Towards(direction) => (false, direction),
             };
             push_count(&mut bytes, is_near.into());
@@ -84,26 +84,26 @@ impl Plan {
         bytes
     }
 
-    /// Reads what [`Self::to_bytes`] wrote; none for anything else.
+    /// Reads the bytes of [`Self::to_bytes`]; `None` if they are invalid.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let mut rest = Reader(bytes);
         let triangles = rest.indices()?.as_chunks::<3>().0.to_vec();
         let positions: Vec<DVec3> =
-            rest.numbers()?.as_chunks().0.iter().map(|&place| DVec3::from_array(place)).collect();
+            rest.numbers()?.as_chunks().0.iter().map(|&position| DVec3::from_array(position)).collect();
         let atlas_uvs = rest.pairs()?;
         let partners = rest.indices()?;
-        let wholes = (0..rest.count()?).map(|_| rest.indices()).collect::<Option<_>>()?;
+        let features = (0..rest.count()?).map(|_| rest.indices()).collect::<Option<_>>()?;
         let shots = (0..rest.count()?).map(|_| rest.shot()).collect::<Option<_>>()?;
         let topology = Topology::new(positions.len(), triangles).ok()?;
-        rest.0.is_empty().then_some(Self { topology, positions, atlas_uvs, partners, wholes, shots })
+        rest.0.is_empty().then_some(Self { topology, positions, atlas_uvs, partners, features, shots })
     }
 }
 
-fn cut(place: DVec3) -> DVec3 {
-    place.as_vec3().as_dvec3()
+fn rounded(position: DVec3) -> DVec3 {
+    position.as_vec3().as_dvec3()
 }
 
-fn cut_uvs(uvs: &[DVec2]) -> Vec<DVec2> {
+fn rounded_uvs(uvs: &[DVec2]) -> Vec<DVec2> {
     uvs.iter().map(|uv| uv.as_vec2().as_dvec2()).collect()
 }
 
@@ -122,7 +122,7 @@ fn push_numbers(bytes: &mut Vec<u8>, numbers: impl IntoIterator<Item = f64>) {
     bytes.extend(numbers);
 }
 
-/// What is left to be read.
+/// The unread bytes.
 struct Reader<'a>(&'a [u8]);
 
 impl<'a> Reader<'a> {
@@ -171,7 +171,7 @@ mod tests {
             positions: &positions,
             atlas_uvs: &flat,
             partners: &[0, 1, 2, 3],
-            wholes: &[vec![1, 3]],
+            features: &[vec![1, 3]],
         };
         let mut plan = Plan::new(&subject);
         plan.add(&flat, Eye::Towards(DVec3::Z));
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn there_and_back_it_is_the_same_and_makes_the_same() {
+    fn plans_survive_a_round_trip() {
         let (plan, bytes) = (plan(), plan().to_bytes());
         let read = Plan::from_bytes(&bytes).unwrap();
         assert_eq!(read, plan);
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_cut_short_or_too_long_is_none() {
+    fn truncated_and_extended_bytes_are_refused() {
         let bytes = plan().to_bytes();
         assert!((0..bytes.len()).all(|length| Plan::from_bytes(&bytes[..length]).is_none()));
         assert!(Plan::from_bytes(&[&bytes[..], &[0]].concat()).is_none());

@@ -4,7 +4,7 @@ use rosto_photo::{Photo, Sampler};
 use crate::scenes::*;
 use crate::seeded::Seeded;
 
-/// Further from the sheet's rim than its colours fade there, in shares of the texture.
+/// Width of the colour fade at the sheet's rim, as a share of the texture.
 const RIM: f64 = 0.02;
 
 fn is_within(uv: DVec2, margin: f64) -> bool {
@@ -12,24 +12,24 @@ fn is_within(uv: DVec2, margin: f64) -> bool {
 }
 
 #[test]
-fn what_is_seen_from_the_front_has_the_photos_colours() {
+fn frontal_areas_have_the_photos_colours() {
     for bulge in [0.0, 0.3] {
         let sheet = Sheet::bent(bulge);
         let (view, photo) = (sheet.seen(0.0), painted(waves));
         let texture = sheet.baked(&[(&view, &photo)]);
         let sampler = Sampler::new(&photo);
         for (uv, colour) in texels(&texture).filter(|(uv, _)| is_within(*uv, RIM)) {
-            // The sheet in the photo is 0.72 of it, and 0.9 of the texture.
+            // The sheet fills 0.72 of the photo and 0.9 of the texture.
             let seen = (uv - 0.5) / 0.9 * 0.72 + 0.5;
-            let wanted = sampler.at(seen * f64::from(PHOTO_PX)).map(|level| (level + 0.5) as u8);
-            assert!(apart(colour, wanted) <= 1, "{colour:?} at {uv}, and {wanted:?} in the photo");
+            let expected = sampler.at(seen * f64::from(PHOTO_PX)).map(|level| (level + 0.5) as u8);
+            assert!(apart(colour, expected) <= 1, "{colour:?} at {uv}, and {expected:?} in the photo");
         }
         assert!(texture.shares.seen > 0.94, "{:?}", texture.shares);
     }
 }
 
 #[test]
-fn photos_of_one_colour_give_that_colour_from_wherever_they_are_taken() {
+fn a_constant_colour_is_preserved() {
     let colour = [201, 150, 117];
     let photo = painted(|_| colour.map(f64::from));
     for seed in 0..6 {
@@ -42,32 +42,33 @@ fn photos_of_one_colour_give_that_colour_from_wherever_they_are_taken() {
 }
 
 #[test]
-fn a_second_photos_exposure_cancels() {
+fn a_second_photos_exposure_is_compensated() {
     let sheet = Sheet::bent(0.6);
     let (front, side) = (sheet.seen(-25.0), sheet.seen(30.0));
-    // The same skin in both: a colour for each place of the sheet.
-    let taken = |gains: [f64; 3]| {
+    // The same skin in both photos.
+    let exposed = |gains: [f64; 3]| {
         painted(|at| std::array::from_fn(|i| gains[i] * [190.0, 150.0, 120.0][i] * (0.8 + 0.25 * at.y)))
     };
-    let (first, same) = (taken([1.0; 3]), taken([1.0; 3]));
-    let alike = sheet.baked(&[(&front, &first), (&side, &same)]);
+    let (first, same) = (exposed([1.0; 3]), exposed([1.0; 3]));
+    let same_exposure = sheet.baked(&[(&front, &first), (&side, &same)]);
     for gains in [[0.6, 0.65, 0.7], [1.2, 1.15, 1.1]] {
-        let other = sheet.baked(&[(&front, &first), (&side, &taken(gains))]);
-        let most = texels(&alike).zip(texels(&other)).map(|((_, a), (_, b))| apart(a, b)).max().unwrap();
+        let other = sheet.baked(&[(&front, &first), (&side, &exposed(gains))]);
+        let most = texels(&same_exposure).zip(texels(&other)).map(|((_, a), (_, b))| apart(a, b)).max().unwrap();
         assert!(most <= 3, "{most} levels with {gains:?}");
     }
 }
 
 #[test]
-fn what_moves_by_itself_comes_from_one_photo() {
+fn a_feature_comes_from_one_photo() {
     let mut sheet = Sheet::bent(0.4);
-    let is_whole = |uv: &DVec2| (*uv - DVec2::new(0.35, 0.5)).abs().max_element() < 0.09;
-    sheet.wholes = vec![(0..).zip(&sheet.atlas_uvs).filter(|(_, uv)| is_whole(uv)).map(|(vertex, _)| vertex).collect()];
+    let is_feature = |uv: &DVec2| (*uv - DVec2::new(0.35, 0.5)).abs().max_element() < 0.09;
+    sheet.features =
+        vec![(0..).zip(&sheet.atlas_uvs).filter(|(_, uv)| is_feature(uv)).map(|(vertex, _)| vertex).collect()];
     let (front, side) = (sheet.seen(-12.0), sheet.seen(12.0));
     let photo = |view: &View, colour: [f64; 3]| {
-        let middle = sheet.wholes[0].iter().map(|&vertex| view.uvs[vertex as usize]).sum::<DVec2>();
-        let middle = middle / sheet.wholes[0].len() as f64;
-        painted(|at| if at.distance(middle) < 0.08 { colour } else { [180.0, 150.0, 130.0] })
+        let centre = sheet.features[0].iter().map(|&vertex| view.uvs[vertex as usize]).sum::<DVec2>();
+        let centre = centre / sheet.features[0].len() as f64;
+        painted(|at| if at.distance(centre) < 0.08 { colour } else { [180.0, 150.0, 130.0] })
     };
     let (red, blue) = ([200.0, 40.0, 40.0], [40.0, 40.0, 200.0]);
     let texture = sheet.baked(&[(&front, &photo(&front, red)), (&side, &photo(&side, blue))]);
@@ -78,20 +79,20 @@ fn what_moves_by_itself_comes_from_one_photo() {
 }
 
 #[test]
-fn the_whole_square_is_filled_whatever_comes_in_and_always_alike() {
+fn the_texture_is_completely_filled_and_reproducible() {
     for seed in 0..8 {
         let mut seeded = Seeded::new(seed);
         let mut sheet = Sheet::bent(seeded.signed());
-        sheet.positions.iter_mut().for_each(|place| *place += seeded.vector() * 0.1);
+        sheet.positions.iter_mut().for_each(|position| *position += seeded.vector() * 0.1);
         let mut view = sheet.seen(90.0 * seeded.signed());
-        let aside = seeded.vector().truncate() * 0.6;
-        view.uvs.iter_mut().for_each(|uv| *uv += aside + seeded.vector().truncate() * 0.05);
+        let shift = seeded.vector().truncate() * 0.6;
+        view.uvs.iter_mut().for_each(|uv| *uv += shift + seeded.vector().truncate() * 0.05);
         let levels = (0..PHOTO_PX * PHOTO_PX * 3).map(|_| 120 + seeded.below(40) as u8).collect();
         let photo = Photo::from_rgb(PHOTO_PX, PHOTO_PX, levels).unwrap();
         let texture = sheet.baked(&[(&view, &photo)]);
         let shares = texture.shares;
         assert!((shares.seen + shares.mirrored + shares.filled - 1.0).abs() < 1e-3, "{shares:?}");
-        // What is not a number would be black.
+        // NaN would become black.
         let least = texels(&texture).flat_map(|(_, colour)| colour).min().unwrap();
         assert!(least > 60, "{least} in seed {seed}");
         assert_eq!(sheet.baked(&[(&view, &photo)]), texture, "seed {seed}");

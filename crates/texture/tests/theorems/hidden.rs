@@ -4,11 +4,11 @@ use rosto_photo::Photo;
 
 use crate::scenes::*;
 
-/// Half as wide as what hides a part of the sheet, where the sheet is 2 wide.
+/// Half width of the occluding plate; the sheet is 2 wide.
 const PLATE: f64 = 0.25;
 
-/// A flat sheet with a plate before it, which has a corner of the texture of its own.
-fn behind_a_plate() -> Sheet {
+/// A flat sheet behind a plate, which has a separate corner of the texture.
+fn sheet_behind_plate() -> Sheet {
     let mut sheet = Sheet::bent(0.0);
     let first = sheet.positions.len() as u32;
     let corners = [[-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]];
@@ -22,31 +22,31 @@ fn behind_a_plate() -> Sheet {
     sheet
 }
 
-/// The plate in one colour, and the rest in waves.
+/// The plate in one colour, the rest in waves.
 fn photo(colour: [f64; 3]) -> Photo {
     painted(|at| if (at - 0.5).abs().max_element() < 0.36 * PLATE + 0.004 { colour } else { waves(at) })
 }
 
-/// And not of its rim, which takes what is missing there from around.
+/// Excludes the plate and its rim, which is filled from the surroundings.
 fn is_of_the_sheet(uv: DVec2) -> bool {
     uv.max_element() < 0.62
 }
 
 #[test]
-fn what_is_hidden_takes_nothing_of_what_hides_it() {
-    let sheet = behind_a_plate();
+fn occluders_do_not_colour_hidden_areas() {
+    let sheet = sheet_behind_plate();
     let view = sheet.seen(0.0);
     let [red, blue] = [[250.0, 10.0, 10.0], [10.0, 10.0, 250.0]].map(|colour| sheet.baked(&[(&view, &photo(colour))]));
     assert!(red.shares.filled > 0.04, "{:?}", red.shares);
     for ((uv, red), (_, blue)) in texels(&red).zip(texels(&blue)).filter(|((uv, _), _)| is_of_the_sheet(*uv)) {
-        // Of 240 levels, less than one arrives through what is filled.
+        // Filling may transfer less than one of 240 levels.
         assert!(apart(red, blue) <= 1, "{red:?} and {blue:?} at {uv}");
     }
 }
 
 #[test]
-fn what_one_photo_hides_another_shows() {
-    let sheet = behind_a_plate();
+fn a_second_photo_shows_hidden_areas() {
+    let sheet = sheet_behind_plate();
     let (front, side) = (sheet.seen(0.0), sheet.seen(50.0));
     let texture = sheet.baked(&[(&front, &painted(|_| [150.0; 3])), (&side, &painted(|_| [100.0; 3]))]);
     assert!(texels(&texture).all(|(_, colour)| apart(colour, [150; 3]) <= 1));
@@ -55,10 +55,10 @@ fn what_one_photo_hides_another_shows() {
 }
 
 #[test]
-fn what_hangs_over_the_rim_is_not_taken_for_the_mesh() {
+fn background_at_the_rim_is_not_used() {
     let sheet = Sheet::bent(2.0);
     let view = sheet.seen(0.0);
-    // White beyond where the sheet is steep, as a photo shows whose outline was found a little too far outside.
+    // A white background over the steep rim, as if the outline had been detected slightly too far outside.
     let photo = painted(|at| if (at.x - 0.5).abs() > 0.325 { [250.0, 252.0, 255.0] } else { [190.0, 140.0, 110.0] });
     let texture = sheet.baked(&[(&view, &photo)]);
     let most = texels(&texture).map(|(_, colour)| apart(colour, [190, 140, 110])).max().unwrap();

@@ -1,4 +1,4 @@
-//! What must hold for every texture, whatever the mesh and its photos.
+//! Properties that hold for any texture.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod colours;

@@ -1,4 +1,4 @@
-//! Sheets and domes, and photos of them.
+//! Test meshes and photos.
 
 use glam::{DQuat, DVec2, DVec3};
 use rosto_mesh::Topology;
@@ -6,44 +6,44 @@ use rosto_photo::Photo;
 use rosto_texture::{Eye, Shot, Subject, Texture, texture};
 
 pub const SIDE_PX: u32 = 512;
-/// Of the photos.
+/// Side of the photos.
 pub const PHOTO_PX: u32 = 400;
 const COLUMNS: u32 = 24;
 
-/// A square sheet over −1..=1 both ways, bent towards the viewer; its own mirror image in x = 0.
+/// A square sheet over −1..=1 in x and y, bent towards the viewer and symmetric about x = 0.
 pub struct Sheet {
     pub topology: Topology,
     pub positions: Vec<DVec3>,
     pub atlas_uvs: Vec<DVec2>,
     pub partners: Vec<u32>,
-    pub wholes: Vec<Vec<u32>>,
+    pub features: Vec<Vec<u32>>,
 }
 
 impl Sheet {
-    /// As high in the middle as `bulge`.
+    /// A sheet whose centre has the height `bulge`.
     pub fn bent(bulge: f64) -> Self {
         let at = |column: u32, row: u32| row * (COLUMNS + 1) + column;
         let squares = (0..COLUMNS).flat_map(|row| (0..COLUMNS).map(move |column| (column, row)));
-        // Cut by the other diagonal on the other side.
+        // The diagonals are mirrored, too.
         let cut = |(c, r): (u32, u32)| match c < COLUMNS / 2 {
             true => [[at(c, r), at(c, r + 1), at(c + 1, r + 1)], [at(c, r), at(c + 1, r + 1), at(c + 1, r)]],
             false => [[at(c, r), at(c, r + 1), at(c + 1, r)], [at(c + 1, r), at(c, r + 1), at(c + 1, r + 1)]],
         };
         let triangles = squares.flat_map(cut).collect();
-        let places: Vec<DVec2> = (0..=COLUMNS)
+        let positions: Vec<DVec2> = (0..=COLUMNS)
             .flat_map(|row| (0..=COLUMNS).map(move |column| DVec2::new(column.into(), row.into())))
-            .map(|place| place / f64::from(COLUMNS))
+            .map(|position| position / f64::from(COLUMNS))
             .collect();
         let lifted = |uv: &DVec2| {
             let [x, y] = [2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y];
             DVec3::new(x, y, bulge * (1.0 - x * x) * (1.0 - 0.5 * y * y))
         };
         Self {
-            topology: Topology::new(places.len(), triangles).unwrap(),
-            positions: places.iter().map(lifted).collect(),
-            atlas_uvs: places.iter().map(|uv| DVec2::splat(0.05) + *uv * 0.9).collect(),
+            topology: Topology::new(positions.len(), triangles).unwrap(),
+            positions: positions.iter().map(lifted).collect(),
+            atlas_uvs: positions.iter().map(|uv| DVec2::splat(0.05) + *uv * 0.9).collect(),
             partners: (0..=COLUMNS).flat_map(|row| (0..=COLUMNS).map(move |c| at(COLUMNS - c, row))).collect(),
-            wholes: Vec::new(),
+            features: Vec::new(),
         }
     }
 
@@ -53,18 +53,18 @@ impl Sheet {
             positions: &self.positions,
             atlas_uvs: &self.atlas_uvs,
             partners: &self.partners,
-            wholes: &self.wholes,
+            features: &self.features,
         }
     }
 
-    /// Where a camera far away sees its vertices, if the sheet is turned to its own left by so much.
+    /// View of a distant camera, with the sheet turned to its own left.
     pub fn seen(&self, yaw_deg: f64) -> View {
         let turn = DQuat::from_rotation_y(yaw_deg.to_radians());
-        let place = |place: &DVec3| {
-            let seen = turn * *place;
+        let position = |position: &DVec3| {
+            let seen = turn * *position;
             DVec2::new(0.5 + 0.36 * seen.x, 0.5 - 0.36 * seen.y)
         };
-        let uvs = self.positions.iter().map(place).collect();
+        let uvs = self.positions.iter().map(position).collect();
         View { uvs, eye: Eye::Towards(turn.inverse() * DVec3::Z) }
     }
 
@@ -74,7 +74,7 @@ impl Sheet {
     }
 }
 
-/// How a camera sees a mesh.
+/// Vertex positions in a photo, and its viewpoint.
 pub struct View {
     pub uvs: Vec<DVec2>,
     pub eye: Eye,
@@ -86,20 +86,20 @@ impl View {
     }
 }
 
-/// A photo with a colour for each place, 0..=1 both ways.
+/// A photo sampled from a function of the position, 0..=1.
 pub fn painted(colour: impl Fn(DVec2) -> [f64; 3]) -> Photo {
     let at = |pixel: u32| DVec2::new((pixel % PHOTO_PX).into(), (pixel / PHOTO_PX).into()) + 0.5;
     let levels = (0..PHOTO_PX * PHOTO_PX).flat_map(|pixel| colour(at(pixel) / f64::from(PHOTO_PX)));
     Photo::from_rgb(PHOTO_PX, PHOTO_PX, levels.map(|level| (level + 0.5) as u8).collect()).unwrap()
 }
 
-/// Smooth colours with waves on them.
+/// Smooth colours with waves.
 pub fn waves(at: DVec2) -> [f64; 3] {
     let wave = 14.0 * (at.x * 90.0).sin() * (at.y * 70.0).cos();
     [150.0 + 40.0 * at.x + wave, 120.0 + 30.0 * at.y + wave, 110.0 - 30.0 * at.x + wave]
 }
 
-/// Each texel's colour with its place, 0..=1 both ways.
+/// Texels with their positions, 0..=1.
 pub fn texels(texture: &Texture) -> impl Iterator<Item = (DVec2, [u8; 3])> {
     let side = texture.picture.width();
     let at = move |texel: usize| DVec2::new(f64::from(texel as u32 % side) + 0.5, f64::from(texel as u32 / side) + 0.5);
@@ -113,7 +113,7 @@ pub fn texels(texture: &Texture) -> impl Iterator<Item = (DVec2, [u8; 3])> {
         .map(move |(i, colour)| (at(i) / f64::from(side), *colour))
 }
 
-/// How much two colours differ at most in a channel.
+/// Largest difference of two colours in a channel.
 pub fn apart(a: [u8; 3], b: [u8; 3]) -> u8 {
     (0..3).map(|channel| a[channel].abs_diff(b[channel])).max().unwrap()
 }

@@ -1,19 +1,19 @@
-//! Maps read at the texture's own size.
+//! Bilinear sampling of maps at the texture's resolution.
 
 use std::ops::Sub;
 
 use crate::map::{CELLS, Value};
 
-/// Where a row or column of texels lies in a map: between two cells, and how far from the first to the second.
+/// Position of a row or column of texels in a map: the cells before and after it, and the fraction between them.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct Sample {
     pub(crate) cell: usize,
     next: usize,
     share: f32,
 }
 
-impl Place {
-    /// For each row or column of a texture.
+impl Sample {
+    /// One sample per row or column of a texture.
     pub(crate) fn all(side: usize) -> Vec<Self> {
         (0..side).map(|texel| Self::new(texel, side)).collect()
     }
@@ -26,22 +26,22 @@ impl Place {
     }
 }
 
-/// What a row of texels has of a map, in each column of cells.
-pub(crate) fn row_of<T: Value + Sub<Output = T>>(map: &[T], row: Place, into: &mut Vec<T>) {
+/// Interpolates a map at a row of texels, for each column of cells.
+pub(crate) fn row_of<T: Value + Sub<Output = T>>(map: &[T], row: Sample, into: &mut Vec<T>) {
     let cells = |row: usize| &map[row * CELLS..(row + 1) * CELLS];
     into.clear();
     into.extend(cells(row.cell).iter().zip(cells(row.next)).map(|(above, below)| mixed(*above, *below, row.share)));
 }
 
-/// What a texel has of such a row.
+/// Interpolates such a row at a column of texels.
 #[inline]
-pub(crate) fn in_row<T: Value + Sub<Output = T>>(row: &[T], column: Place) -> T {
+pub(crate) fn in_row<T: Value + Sub<Output = T>>(row: &[T], column: Sample) -> T {
     mixed(row[column.cell], row[column.next], column.share)
 }
 
-/// What a map has between four cells.
+/// Interpolates a map bilinearly.
 #[inline]
-pub(crate) fn between<T: Value + Sub<Output = T>>(map: &[T], column: Place, row: Place) -> T {
+pub(crate) fn bilinear<T: Value + Sub<Output = T>>(map: &[T], column: Sample, row: Sample) -> T {
     let along = |row: usize| in_row(&map[row * CELLS..(row + 1) * CELLS], column);
     mixed(along(row.cell), along(row.next), row.share)
 }
