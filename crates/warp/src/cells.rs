@@ -1,6 +1,6 @@
 use glam::{DVec2, IVec2};
 
-/// Points sorted into square cells, each with what it stands for, to find those near a place quickly.
+/// Points sorted into a grid of square cells, each with a value, for fast queries by distance and by box.
 pub(crate) struct Cells<T> {
     from: DVec2,
     side: f64,
@@ -9,7 +9,7 @@ pub(crate) struct Cells<T> {
 }
 
 impl<T: Copy> Cells<T> {
-    /// Empty cells of that side over a box.
+    /// An empty grid over a bounding box.
     pub(crate) fn over([low, high]: [DVec2; 2], side: f64) -> Self {
         let count = ((high - low) / side).as_ivec2() + IVec2::ONE;
         Self { from: low, side, count, cells: vec![Vec::new(); (count.x * count.y) as usize] }
@@ -20,7 +20,7 @@ impl<T: Copy> Cells<T> {
         self.cells[(cell.y * self.count.x + cell.x) as usize].push((point, value));
     }
 
-    /// What lies in a box, its border included.
+    /// Points and values in a box, including its border.
     pub(crate) fn in_box(&self, [low, high]: [DVec2; 2]) -> impl Iterator<Item = (DVec2, T)> + '_ {
         let [from, to] = [low, high].map(|corner| self.cell_inside(corner));
         let cells = (from.y..=to.y).flat_map(move |y| (from.x..=to.x).map(move |x| (y * self.count.x + x) as usize));
@@ -28,16 +28,16 @@ impl<T: Copy> Cells<T> {
         near.filter(move |(point, _)| point.cmpge(low).all() && point.cmple(high).all())
     }
 
-    /// How far the nearest point is; infinity where none is nearer than `within`.
-    pub(crate) fn distance(&self, place: DVec2, within: f64) -> f64 {
-        let middle = self.cell_of(place);
+    /// Distance to the nearest point; infinity if it is not below `within`.
+    pub(crate) fn distance(&self, position: DVec2, within: f64) -> f64 {
+        let middle = self.cell_of(position);
         let mut nearest = f64::INFINITY;
         for ring in 0..=(within / self.side) as i32 + 1 {
-            // Whatever a further ring of cells holds is further away than this.
+            // Points in this ring of cells and further ones are at least this far away.
             if nearest <= f64::from(ring - 1) * self.side {
                 break;
             }
-            nearest = self.ring(middle, ring).map(|point| point.distance(place)).fold(nearest, f64::min);
+            nearest = self.ring(middle, ring).map(|point| point.distance(position)).fold(nearest, f64::min);
         }
         if nearest < within { nearest } else { f64::INFINITY }
     }
@@ -53,12 +53,12 @@ impl<T: Copy> Cells<T> {
         .flat_map(|cell| self.cells[(cell.y * self.count.x + cell.x) as usize].iter().map(|(point, _)| *point))
     }
 
-    fn cell_inside(&self, place: DVec2) -> IVec2 {
-        self.cell_of(place).clamp(IVec2::ZERO, self.count - IVec2::ONE)
+    fn cell_inside(&self, position: DVec2) -> IVec2 {
+        self.cell_of(position).clamp(IVec2::ZERO, self.count - IVec2::ONE)
     }
 
-    fn cell_of(&self, place: DVec2) -> IVec2 {
-        ((place - self.from) / self.side).floor().as_ivec2()
+    fn cell_of(&self, position: DVec2) -> IVec2 {
+        ((position - self.from) / self.side).floor().as_ivec2()
     }
 }
 
@@ -74,25 +74,25 @@ mod tests {
         (points, cells)
     }
 
-    /// Within the box and beyond it.
-    fn places() -> impl Iterator<Item = DVec2> {
+    /// Positions inside and outside the box.
+    fn positions() -> impl Iterator<Item = DVec2> {
         (0..400).map(|i| DVec2::new(f64::from(i * 29 % 173) - 36.0, f64::from(i * 71 % 167) - 33.0))
     }
 
     #[test]
-    fn the_nearest_of_all_is_found() {
+    fn the_distance_is_that_of_the_nearest_point() {
         let (points, cells) = scattered();
-        for place in places() {
-            let nearest = points.iter().map(|point| point.distance(place)).fold(f64::INFINITY, f64::min);
+        for position in positions() {
+            let nearest = points.iter().map(|point| point.distance(position)).fold(f64::INFINITY, f64::min);
             let expected = if nearest < 25.0 { nearest } else { f64::INFINITY };
-            assert_eq!(cells.distance(place, 25.0), expected, "{place}");
+            assert_eq!(cells.distance(position, 25.0), expected, "{position}");
         }
     }
 
     #[test]
-    fn all_in_a_box_are_found_and_no_others() {
+    fn a_box_returns_exactly_the_points_in_it() {
         let (points, cells) = scattered();
-        for (low, size) in places().zip(places().skip(9)) {
+        for (low, size) in positions().zip(positions().skip(9)) {
             let high = low + size.abs();
             let mut found: Vec<usize> = cells.in_box([low, high]).map(|(_, i)| i).collect();
             found.sort_unstable();

@@ -1,91 +1,91 @@
 use glam::DVec2;
 
 use crate::cells::Cells;
-use crate::folds::{Unfolding, doubled_area};
-use crate::layout::{Layout, Tie, bounds, delaunay};
+use crate::folds::{FoldRemoval, doubled_area};
+use crate::layout::{Layout, Role, bounds, delaunay};
 
-/// A triangulation of fewer points of another, which is unfolded in few steps: in a fine one what folds widely is pushed open
-/// by one small triangle after the other.
+/// Coarse triangulation of a subset of the points. Large folds unfold in a few iterations on it; on the fine one they
+/// open only one small triangle at a time.
 pub(crate) struct Coarse {
-    /// Points of the fine triangulation.
+    /// Indices of points of the fine triangulation.
     points: Vec<u32>,
-    unfolding: Unfolding,
-    /// The others, and where they are in the coarse one.
-    between: Vec<Between>,
-    wanted: Vec<DVec2>,
+    fold_removal: FoldRemoval,
+    /// The remaining points, located in the coarse triangulation.
+    embedded: Vec<Embedded>,
+    targets: Vec<DVec2>,
     offsets: Vec<DVec2>,
 }
 
-/// A point of the fine triangulation within a triangle of the coarse one.
-struct Between {
+/// A point of the fine triangulation inside a triangle of the coarse one.
+struct Embedded {
     point: u32,
     corners: [u32; 3],
-    shares: [f64; 3],
+    weights: [f64; 3],
 }
 
-/// Points that lead are so many of the lattice's spacings apart at least.
-const APART: f64 = 0.5;
+/// Minimum distance of moved points, in lattice spacings.
+const MIN_DISTANCE: f64 = 0.5;
 
 impl Coarse {
     pub(crate) fn new(fine: &Layout) -> Self {
         let points = thinned(fine);
-        let places: Vec<DVec2> = points.iter().map(|&point| fine.points[point as usize]).collect();
-        let ties: Vec<Tie> = points.iter().map(|&point| fine.ties[point as usize]).collect();
-        let triangles = delaunay(&places);
-        let between = located(fine, &points, &triangles, &places);
-        let unfolding = Unfolding::new(&triangles, &places, &ties);
-        let [wanted, offsets] = [(); 2].map(|()| vec![DVec2::ZERO; points.len()]);
-        Self { points, unfolding, between, wanted, offsets }
+        let positions: Vec<DVec2> = points.iter().map(|&point| fine.points[point as usize]).collect();
+        let roles: Vec<Role> = points.iter().map(|&point| fine.roles[point as usize]).collect();
+        let triangles = delaunay(&positions);
+        let embedded = located(fine, &points, &triangles, &positions);
+        let fold_removal = FoldRemoval::new(&triangles, &positions, &roles);
+        let [targets, offsets] = [(); 2].map(|()| vec![DVec2::ZERO; points.len()]);
+        Self { points, fold_removal, embedded, targets, offsets }
     }
 
-    /// Unfolds the coarse triangulation, and changes the offsets of the fine one with it: what lies in a triangle that had to be
-    /// changed goes along with its corners.
+    /// Unfolds the coarse triangulation. Fine points in a changed triangle take the interpolated offset of its corners.
     pub(crate) fn unfold(&mut self, fine: &mut [DVec2]) {
-        self.wanted.iter_mut().zip(&self.points).for_each(|(wanted, &point)| *wanted = fine[point as usize]);
-        self.offsets.copy_from_slice(&self.wanted);
-        self.unfolding.limit(&mut self.offsets);
-        let is_changed = |corner: &u32| self.offsets[*corner as usize] != self.wanted[*corner as usize];
-        for Between { point, corners, shares } in self.between.iter().filter(|at| at.corners.iter().any(is_changed)) {
-            let ways = corners.iter().zip(shares).map(|(&corner, share)| *share * self.offsets[corner as usize]);
-            fine[*point as usize] = ways.sum();
+        self.targets.iter_mut().zip(&self.points).for_each(|(targets, &point)| *targets = fine[point as usize]);
+        self.offsets.copy_from_slice(&self.targets);
+        self.fold_removal.limit(&mut self.offsets);
+        let is_changed = |corner: &u32| self.offsets[*corner as usize] != self.targets[*corner as usize];
+        for Embedded { point, corners, weights } in self.embedded.iter().filter(|at| at.corners.iter().any(is_changed))
+        {
+            let weighted = corners.iter().zip(weights).map(|(&corner, share)| *share * self.offsets[corner as usize]);
+            fine[*point as usize] = weighted.sum();
         }
         self.offsets.iter().zip(&self.points).for_each(|(offset, &point)| fine[point as usize] = *offset);
     }
 }
 
-/// Of the points that lead, those that are apart from the ones before; all others.
+/// Moved points at a minimum distance from each other, and all other points.
 fn thinned(fine: &Layout) -> Vec<u32> {
-    let apart = APART * fine.spacing;
+    let min_distance = MIN_DISTANCE * fine.spacing;
     let mut cells = Cells::over(bounds(&fine.points), fine.spacing);
-    let mut is_apart = |place: DVec2| {
-        let is_apart = cells.distance(place, apart) == f64::INFINITY;
+    let mut is_apart = |position: DVec2| {
+        let is_apart = cells.distance(position, min_distance) == f64::INFINITY;
         if is_apart {
-            cells.add(place, ());
+            cells.add(position, ());
         }
         is_apart
     };
-    let kept = fine.points.iter().zip(&fine.ties).zip(0..).filter(|((place, tie), _)| match tie {
-        Tie::Follows { .. } => is_apart(**place),
-        Tie::Stays | Tie::Free => true,
+    let selected = fine.points.iter().zip(&fine.roles).zip(0..).filter(|((position, role), _)| match role {
+        Role::Moved { .. } => is_apart(**position),
+        Role::Fixed | Role::Free => true,
     });
-    kept.map(|(_, point)| point).collect()
+    selected.map(|(_, point)| point).collect()
 }
 
-/// In which triangle of those that were kept each of the others lies.
-fn located(fine: &Layout, kept: &[u32], triangles: &[[u32; 3]], places: &[DVec2]) -> Vec<Between> {
-    let mut is_kept = vec![false; fine.points.len()];
-    kept.iter().for_each(|&point| is_kept[point as usize] = true);
-    let mut left_out = Cells::over(bounds(&fine.points), fine.spacing);
-    for (point, &place) in (0..).zip(&fine.points).filter(|(point, _)| !is_kept[*point as usize]) {
-        left_out.add(place, point);
+/// Triangles and barycentric coordinates of the points that were not selected.
+fn located(fine: &Layout, selected: &[u32], triangles: &[[u32; 3]], positions: &[DVec2]) -> Vec<Embedded> {
+    let mut is_selected = vec![false; fine.points.len()];
+    selected.iter().for_each(|&point| is_selected[point as usize] = true);
+    let mut remaining = Cells::over(bounds(&fine.points), fine.spacing);
+    for (point, &position) in (0..).zip(&fine.points).filter(|(point, _)| !is_selected[*point as usize]) {
+        remaining.add(position, point);
     }
-    let mut located: Vec<Option<Between>> = (0..fine.points.len()).map(|_| None).collect();
+    let mut located: Vec<Option<Embedded>> = (0..fine.points.len()).map(|_| None).collect();
     for &corners in triangles {
-        let triangle = corners.map(|corner| places[corner as usize]);
-        for (place, point) in left_out.in_box(bounds(&triangle)) {
-            let found = Between { point, corners, shares: shares(place, triangle) };
+        let triangle = corners.map(|corner| positions[corner as usize]);
+        for (position, point) in remaining.in_box(bounds(&triangle)) {
+            let found = Embedded { point, corners, weights: weights(position, triangle) };
             let known = &mut located[point as usize];
-            // On an edge both triangles say so, each as exactly as it can.
+            // Rounding can place a point on an edge in both triangles or in none; take the best.
             if known.as_ref().is_none_or(|known| known.least() < found.least()) {
                 *known = Some(found);
             }
@@ -94,13 +94,13 @@ fn located(fine: &Layout, kept: &[u32], triangles: &[[u32; 3]], places: &[DVec2]
     located.into_iter().flatten().collect()
 }
 
-impl Between {
+impl Embedded {
     fn least(&self) -> f64 {
-        self.shares.into_iter().fold(f64::INFINITY, f64::min)
+        self.weights.into_iter().fold(f64::INFINITY, f64::min)
     }
 }
 
-/// How much of each corner is in a place.
-fn shares(place: DVec2, [a, b, c]: [DVec2; 3]) -> [f64; 3] {
-    [[place, b, c], [a, place, c], [a, b, place]].map(|part| doubled_area(part) / doubled_area([a, b, c]))
+/// Barycentric coordinates.
+fn weights(position: DVec2, [a, b, c]: [DVec2; 3]) -> [f64; 3] {
+    [[position, b, c], [a, position, c], [a, b, position]].map(|part| doubled_area(part) / doubled_area([a, b, c]))
 }

@@ -6,11 +6,11 @@ use rosto_photo::{Photo, Sampler};
 use crate::WarpMesh;
 use crate::folds::doubled_area;
 
-/// Less than this moves nothing, in px.
-const LEAST_PX: f64 = 1e-4;
+/// Displacements below this are ignored, in px.
+const MIN_DISPLACEMENT_PX: f64 = 1e-4;
 
-/// The picture with what is in the warp mesh moved: each pixel takes the colour from where it came, by cubic interpolation
-/// (Catmull–Rom), in sRGB. A pixel that does not move keeps its bytes. Transparency moves with the colours.
+/// Warps a picture. Each pixel takes the colour at its source position, interpolated by Catmull–Rom cubics in sRGB.
+/// Pixels that do not move keep their bytes. The alpha channel is warped alike.
 pub fn drawn(photo: &Photo, warp_mesh: &WarpMesh) -> Photo {
     let moved = drawn_opaque(photo, warp_mesh);
     let Some(alpha) = photo.alpha() else { return moved };
@@ -26,7 +26,7 @@ fn drawn_opaque(photo: &Photo, warp_mesh: &WarpMesh) -> Photo {
     for corners in &warp_mesh.triangles {
         let from = corners.map(|corner| warp_mesh.from_px[corner as usize]);
         let to = corners.map(|corner| warp_mesh.to_px[corner as usize]);
-        if (0..3).any(|corner| from[corner].distance(to[corner]) > LEAST_PX) {
+        if (0..3).any(|corner| from[corner].distance(to[corner]) > MIN_DISPLACEMENT_PX) {
             draw_triangle(&sampler, size, from, to, &mut pixels);
         }
     }
@@ -52,24 +52,24 @@ fn draw_triangle(
         let start = from_to.transform_point2(DVec2::new(0.5, y));
         let row_pixels = &mut pixels[3 * (row * width + columns.start)..];
         for (column, pixel) in columns.zip(row_pixels.as_chunks_mut::<3>().0) {
-            // Half up, and what is beyond 0 and 255 ends there.
+            // Rounds half up; the cast saturates.
             *pixel = sampler.at(start + from_to.matrix2.x_axis * column as f64).map(|level| (level + 0.5) as u8);
         }
     }
 }
 
-/// The pixels of a row or column whose middles lie between two places.
+/// Indices of the pixels whose centres lie between two coordinates.
 fn whole(low: f64, high: f64, count: usize) -> Range<usize> {
     let first = (low - 0.5).ceil().max(0.0);
     let beyond = (high + 0.5).floor().min(count as f64);
     first as usize..beyond.max(first) as usize
 }
 
-/// From where to where a horizontal line lies in a triangle.
+/// Intersection of a horizontal line with a triangle.
 fn span(corners: [DVec2; 3], y: f64) -> Option<(f64, f64)> {
     let mut ends = (f64::INFINITY, f64::NEG_INFINITY);
     for (a, b) in [(0, 1), (1, 2), (2, 0)].map(|(a, b)| (corners[a], corners[b])) {
-        // From the top, so that both triangles at an edge cross it at the same place, to the last bit: no pixel is between.
+        // Top to bottom, so that the triangles on both sides of an edge compute the same intersection and leave no gap.
         let (a, b) = if (a.y, a.x) < (b.y, b.x) { (a, b) } else { (b, a) };
         if a.y <= y && y <= b.y && a.y != b.y {
             let x = a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
@@ -79,7 +79,7 @@ fn span(corners: [DVec2; 3], y: f64) -> Option<(f64, f64)> {
     (ends.0 <= ends.1).then_some(ends)
 }
 
-/// The affine map that takes one triangle to another; none from one without area.
+/// Affine map from one triangle to another; `None` if the first has no area.
 fn affine(from: [DVec2; 3], to: [DVec2; 3]) -> Option<DAffine2> {
     if doubled_area(from) == 0.0 {
         return None;

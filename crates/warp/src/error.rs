@@ -2,32 +2,32 @@ use rosto_laplacian::LaplacianError;
 use rosto_mesh::MeshError;
 use thiserror::Error;
 
-/// Why a picture cannot be warped.
+/// Reasons why a picture cannot be warped.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum WarpError {
-    /// Fewer than three of the points lie in the picture, or all of them in one place.
-    #[error("{inside} of the {points} points lie in the picture; three in different places are needed to lead it")]
+    /// Fewer than three points, or only coincident points, lie in the picture.
+    #[error("{inside} of {points} points lie in the picture; a warp needs at least three, not all at one position")]
     TooFewPoints {
-        /// Those inside.
+        /// Number of points in the picture.
         inside: usize,
-        /// All of them.
+        /// Number of points.
         points: usize,
     },
     /// The falloff band is too narrow or too wide for the points ([`crate::FALLOFF_BAND_SHARES`]).
-    #[error("the falloff band must be {least_px:.1} to {most_px:.1} px wide, not {falloff_band_px}")]
+    #[error("the falloff band must be {least_px:.1} to {most_px:.1} px wide; got {falloff_band_px}")]
     FalloffBand {
-        /// The width asked for.
+        /// Requested width.
         falloff_band_px: f64,
-        /// The narrowest.
+        /// Minimum width.
         least_px: f64,
-        /// The widest.
+        /// Maximum width.
         most_px: f64,
     },
-    /// The triangulation is none.
+    /// The triangulation is invalid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// What is around the points cannot be solved for.
+    /// The falloff band's system cannot be solved.
     #[error(transparent)]
     Laplacian(#[from] LaplacianError),
 }

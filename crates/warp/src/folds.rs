@@ -1,65 +1,65 @@
 use glam::DVec2;
 
-use crate::layout::Tie;
+use crate::layout::Role;
 
-/// Changes offsets until no triangle of a flat triangulation is turned over.
+/// Reduces offsets until no triangle of a planar triangulation is folded.
 ///
-/// Each triangle that would fold pushes its corners apart, by the least way that gives it back the area it is to keep (one
-/// Newton step on the area, as position-based dynamics does it); a corner goes by the mean of what its triangles ask. A point
-/// that went over others is not freed so: what is folded still becomes more like what is beside it, too, as heat spreads, since
-/// an offset that all neighbours share folds nothing. What is folded even then takes all offsets back by one share.
-pub(crate) struct Unfolding {
-    /// Those that can move.
+/// Each folded triangle pushes its corners by the smallest displacement that restores its minimum area: one Newton step
+/// on the area, as in position-based dynamics. A corner moves by the mean of its triangles' corrections. Triangles that
+/// stay folded, because a point crossed others, also average their offsets with their neighbours' (diffusion): equal
+/// offsets cannot fold. If folds remain, all offsets are scaled by one factor.
+pub(crate) struct FoldRemoval {
+    /// Triangles with at least one movable corner.
     triangles: Vec<Flat>,
-    /// For each vertex, where its triangles begin in `at_vertices`.
+    /// Start of each vertex' triangles in `at_vertices`.
     starts: Vec<usize>,
     at_vertices: Vec<u32>,
-    stays: Vec<bool>,
-    work: Work,
+    is_fixed: Vec<bool>,
+    scratch: Scratch,
 }
 
-/// A triangle before anything moved: two of its edges, from its first corner, and twice its area.
+/// A triangle at rest: its edges from the first corner, and twice its signed area.
 struct Flat {
     corners: [u32; 3],
     edges: [DVec2; 2],
     doubled_area: f64,
 }
 
-/// What is folded, and room to work in: a tick allocates nothing.
+/// Folded triangles and scratch buffers, so that a tick does not allocate.
 #[derive(Default)]
-struct Work {
+struct Scratch {
     folded: Vec<u32>,
     corners: Vec<u32>,
-    wanted: Vec<DVec2>,
-    /// What folds nothing, before it is smoothed.
-    whole: Vec<DVec2>,
-    /// For each vertex, the sum of what its triangles ask of it, and how many do.
+    targets: Vec<DVec2>,
+    /// Last offsets without folds.
+    unfolded: Vec<DVec2>,
+    /// Per vertex: the sum of its triangles' corrections, and their number.
     asked: Vec<(DVec2, u32)>,
 }
 
-/// A triangle keeps at least this share of its area, so that what is in it can still be seen.
-const LEAST_AREA: f64 = 0.12;
-/// What is pushed apart gets a little more, so that it need not be again.
+/// Minimum share of its area that a triangle keeps, so that its content stays visible.
+const MIN_AREA: f64 = 0.12;
+/// Area after a correction; the margin avoids repeated corrections.
 const PUSHED_AREA: f64 = 0.15;
-/// A corner goes so much further than the mean of what is asked of it: triangles that ask the same would wait for each other.
-const EAGERNESS: f64 = 1.5;
-/// Rounds of pushing, from which on every second one spreads, and of halving.
+/// Over-relaxation factor. Without it, triangles with the same correction converge slowly.
+const OVER_RELAXATION: f64 = 1.5;
+/// Iterations; from `SPREAD_FROM` on, every second one is diffusion. `HALVINGS` are bisection steps of the scale.
 const ROUNDS: usize = 140;
 const SPREAD_FROM: usize = 70;
 const HALVINGS: usize = 24;
-/// How often creases are smoothed, and the rounds of pushing after each time.
-const POLISHINGS: usize = 6;
-const PUSHES_AFTER: usize = 12;
+/// Smoothing passes over creases, and push iterations after each.
+const SMOOTHING_PASSES: usize = 6;
+const PUSHES_PER_PASS: usize = 12;
 
-impl Unfolding {
-    pub(crate) fn new(triangles: &[[u32; 3]], places: &[DVec2], ties: &[Tie]) -> Self {
-        let stays: Vec<bool> = ties.iter().map(|tie| *tie == Tie::Stays).collect();
-        let can_move = |corners: &&[u32; 3]| corners.iter().any(|&corner| !stays[corner as usize]);
+impl FoldRemoval {
+    pub(crate) fn new(triangles: &[[u32; 3]], positions: &[DVec2], roles: &[Role]) -> Self {
+        let is_fixed: Vec<bool> = roles.iter().map(|role| *role == Role::Fixed).collect();
+        let can_move = |corners: &&[u32; 3]| corners.iter().any(|&corner| !is_fixed[corner as usize]);
         let triangles: Vec<Flat> =
-            triangles.iter().filter(can_move).map(|&corners| Flat::new(corners, places)).collect();
-        let (starts, at_vertices) = by_vertex(&triangles, places.len());
-        let work = Work { asked: vec![(DVec2::ZERO, 0); places.len()], ..Work::default() };
-        Self { triangles, starts, at_vertices, stays, work }
+            triangles.iter().filter(can_move).map(|&corners| Flat::new(corners, positions)).collect();
+        let (starts, at_vertices) = by_vertex(&triangles, positions.len());
+        let scratch = Scratch { asked: vec![(DVec2::ZERO, 0); positions.len()], ..Scratch::default() };
+        Self { triangles, starts, at_vertices, is_fixed, scratch }
     }
 
     pub(crate) fn folds(&self, offsets: &[DVec2]) -> bool {
@@ -67,95 +67,95 @@ impl Unfolding {
     }
 
     pub(crate) fn limit(&mut self, offsets: &mut [DVec2]) {
-        let mut work = std::mem::take(&mut self.work);
-        self.limit_in(&mut work, offsets);
-        self.work = work;
+        let mut scratch = std::mem::take(&mut self.scratch);
+        self.limit_in(&mut scratch, offsets);
+        self.scratch = scratch;
     }
 
-    fn limit_in(&self, work: &mut Work, offsets: &mut [DVec2]) {
-        work.folded.clear();
-        work.folded.extend((0..self.triangles.len() as u32).filter(|&triangle| self.is_folded(triangle, offsets)));
-        if work.folded.is_empty() {
+    fn limit_in(&self, scratch: &mut Scratch, offsets: &mut [DVec2]) {
+        scratch.folded.clear();
+        scratch.folded.extend((0..self.triangles.len() as u32).filter(|&triangle| self.is_folded(triangle, offsets)));
+        if scratch.folded.is_empty() {
             return;
         }
-        work.wanted.clear();
-        work.wanted.extend_from_slice(offsets);
+        scratch.targets.clear();
+        scratch.targets.extend_from_slice(offsets);
         for round in 0..ROUNDS {
             match round >= SPREAD_FROM && round % 2 == 0 {
-                true => self.spread(work, offsets),
-                false => self.push(work, offsets),
+                true => self.spread(scratch, offsets),
+                false => self.push(scratch, offsets),
             }
-            self.find_folded(work, offsets);
-            if work.folded.is_empty() {
+            self.find_folded(scratch, offsets);
+            if scratch.folded.is_empty() {
                 break;
             }
         }
-        match work.folded.is_empty() {
-            true => self.polish(work, offsets),
-            false => self.shorten(offsets),
+        match scratch.folded.is_empty() {
+            true => self.smooth(scratch, offsets),
+            false => self.scale_down(offsets),
         }
     }
 
-    /// Whether it is turned over, or as good as.
+    /// Whether the triangle is inverted or below its minimum area.
     fn is_folded(&self, triangle: u32, offsets: &[DVec2]) -> bool {
         let flat = &self.triangles[triangle as usize];
         let [ab, ac] = flat.after(offsets);
-        ab.perp_dot(ac) * flat.doubled_area.signum() < LEAST_AREA * flat.doubled_area.abs()
+        ab.perp_dot(ac) * flat.doubled_area.signum() < MIN_AREA * flat.doubled_area.abs()
     }
 
-    /// Corners of what is folded go by what their triangles ask.
-    fn push(&self, work: &mut Work, offsets: &mut [DVec2]) {
-        let Work { folded, corners, asked, .. } = work;
+    /// Moves the corners of folded triangles by the mean of their corrections.
+    fn push(&self, scratch: &mut Scratch, offsets: &mut [DVec2]) {
+        let Scratch { folded, corners, asked, .. } = scratch;
         corners.clear();
         for flat in folded.iter().map(|&triangle| &self.triangles[triangle as usize]) {
-            for (corner, push) in flat.corners.into_iter().zip(flat.pushes(offsets, &self.stays)) {
+            for (corner, push) in flat.corners.into_iter().zip(flat.pushes(offsets, &self.is_fixed)) {
                 let (sum, count) = &mut asked[corner as usize];
                 (*sum, *count) = (*sum + push, *count + 1);
                 corners.push(corner);
             }
         }
-        sort_once(corners);
+        sort_unique(corners);
         for &vertex in corners.iter() {
             let (sum, count) = std::mem::take(&mut asked[vertex as usize]);
-            offsets[vertex as usize] += sum * (EAGERNESS / f64::from(count));
+            offsets[vertex as usize] += sum * (OVER_RELAXATION / f64::from(count));
         }
     }
 
-    /// What was pushed lies in creases: offsets around it become more alike, as long as that can be done without a fold.
-    fn polish(&self, work: &mut Work, offsets: &mut [DVec2]) {
-        for _ in 0..POLISHINGS {
-            work.whole.clear();
-            work.whole.extend_from_slice(offsets);
-            work.corners.clear();
-            let pushed = offsets.iter().zip(&work.wanted).zip(0..).filter(|((now, wanted), _)| now != wanted);
-            work.corners.extend(pushed.map(|(_, vertex)| vertex));
-            self.spread_at(work, offsets);
-            for _ in 0..PUSHES_AFTER {
-                self.find_folded(work, offsets);
-                if work.folded.is_empty() {
+    /// Smooths creases: averages corrected offsets with their neighbours' while no triangle folds.
+    fn smooth(&self, scratch: &mut Scratch, offsets: &mut [DVec2]) {
+        for _ in 0..SMOOTHING_PASSES {
+            scratch.unfolded.clear();
+            scratch.unfolded.extend_from_slice(offsets);
+            scratch.corners.clear();
+            let pushed = offsets.iter().zip(&scratch.targets).zip(0..).filter(|((now, targets), _)| now != targets);
+            scratch.corners.extend(pushed.map(|(_, vertex)| vertex));
+            self.spread_at(scratch, offsets);
+            for _ in 0..PUSHES_PER_PASS {
+                self.find_folded(scratch, offsets);
+                if scratch.folded.is_empty() {
                     break;
                 }
-                self.push(work, offsets);
+                self.push(scratch, offsets);
             }
-            if !work.folded.is_empty() {
-                offsets.copy_from_slice(&work.whole);
+            if !scratch.folded.is_empty() {
+                offsets.copy_from_slice(&scratch.unfolded);
                 return;
             }
         }
     }
 
-    /// Corners of what is folded go half the way to the mean of their triangles' corners.
-    fn spread(&self, work: &mut Work, offsets: &mut [DVec2]) {
-        let Work { folded, corners, .. } = &mut *work;
+    /// Moves the corners of folded triangles halfway to the mean offset around them.
+    fn spread(&self, scratch: &mut Scratch, offsets: &mut [DVec2]) {
+        let Scratch { folded, corners, .. } = &mut *scratch;
         corners.clear();
         corners.extend(folded.iter().flat_map(|&triangle| self.triangles[triangle as usize].corners));
-        sort_once(corners);
-        self.spread_at(work, offsets);
+        sort_unique(corners);
+        self.spread_at(scratch, offsets);
     }
 
-    fn spread_at(&self, work: &mut Work, offsets: &mut [DVec2]) {
-        let Work { corners, asked, .. } = work;
-        corners.retain(|&vertex| !self.stays[vertex as usize]);
+    fn spread_at(&self, scratch: &mut Scratch, offsets: &mut [DVec2]) {
+        let Scratch { corners, asked, .. } = scratch;
+        corners.retain(|&vertex| !self.is_fixed[vertex as usize]);
         for &vertex in corners.iter() {
             asked[vertex as usize].0 = 0.5 * (self.mean(vertex, offsets) - offsets[vertex as usize]);
         }
@@ -170,12 +170,12 @@ impl Unfolding {
         corners.map(|corner| offsets[corner as usize]).sum::<DVec2>() / (3 * triangles.len()) as f64
     }
 
-    /// Only beside the corners that went can anything have changed.
-    fn find_folded(&self, work: &mut Work, offsets: &[DVec2]) {
-        let Work { folded, corners, .. } = work;
+    /// Updates the folded triangles; only those at moved corners can have changed.
+    fn find_folded(&self, scratch: &mut Scratch, offsets: &[DVec2]) {
+        let Scratch { folded, corners, .. } = scratch;
         folded.clear();
         folded.extend(corners.iter().flat_map(|&vertex| self.triangles_at(vertex)));
-        sort_once(folded);
+        sort_unique(folded);
         folded.retain(|&triangle| self.is_folded(triangle, offsets));
     }
 
@@ -183,8 +183,8 @@ impl Unfolding {
         &self.at_vertices[self.starts[vertex as usize]..self.starts[vertex as usize + 1]]
     }
 
-    /// The largest share of all offsets that folds nothing; at none of them nothing is folded.
-    fn shorten(&self, offsets: &mut [DVec2]) {
+    /// Scales all offsets by the largest factor without folds, found by bisection. Zero offsets do not fold.
+    fn scale_down(&self, offsets: &mut [DVec2]) {
         let (mut fits, mut folds) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let share = 0.5 * (fits + folds);
@@ -198,39 +198,38 @@ impl Unfolding {
 }
 
 impl Flat {
-    fn new(corners: [u32; 3], places: &[DVec2]) -> Self {
-        let [a, b, c] = corners.map(|corner| places[corner as usize]);
+    fn new(corners: [u32; 3], positions: &[DVec2]) -> Self {
+        let [a, b, c] = corners.map(|corner| positions[corner as usize]);
         Self { corners, edges: [b - a, c - a], doubled_area: doubled_area([a, b, c]) }
     }
 
-    /// Its edges with these offsets.
+    /// Edges after the offsets are applied.
     fn after(&self, offsets: &[DVec2]) -> [DVec2; 2] {
         let [a, b, c] = self.corners.map(|corner| offsets[corner as usize]);
         [self.edges[0] + (b - a), self.edges[1] + (c - a)]
     }
 
-    /// The least ways of its corners, but for those that stay, that bring it to the area it is to have, as far as that grows
-    /// with them.
-    fn pushes(&self, offsets: &[DVec2], stays: &[bool]) -> [DVec2; 3] {
+    /// Smallest displacements of the movable corners that restore the area, to first order.
+    fn pushes(&self, offsets: &[DVec2], is_fixed: &[bool]) -> [DVec2; 3] {
         let [ab, ac] = self.after(offsets);
         let missing = PUSHED_AREA * self.doubled_area - ab.perp_dot(ac);
         let slopes = [(ac - ab).perp(), -ac.perp(), ab.perp()];
-        let free = [0, 1, 2].map(|k| if stays[self.corners[k] as usize] { DVec2::ZERO } else { slopes[k] });
+        let free = [0, 1, 2].map(|k| if is_fixed[self.corners[k] as usize] { DVec2::ZERO } else { slopes[k] });
         let steepness: f64 = free.iter().map(|slope| slope.length_squared()).sum();
-        // What is no longer a triangle has no slope to go by: nothing goes further than it is long, or was.
-        let longest = [ab, ac, self.edges[0], self.edges[1]].map(DVec2::length).into_iter().fold(0.0, f64::max);
-        free.map(|slope| (slope * (missing / steepness.max(f64::MIN_POSITIVE))).clamp_length_max(longest))
+        // A degenerate triangle has no gradient; its edge lengths bound the step.
+        let max_step = [ab, ac, self.edges[0], self.edges[1]].map(DVec2::length).into_iter().fold(0.0, f64::max);
+        free.map(|slope| (slope * (missing / steepness.max(f64::MIN_POSITIVE))).clamp_length_max(max_step))
     }
 
-    /// Whether it is not folded with so much of the offsets.
+    /// Whether the triangle is not folded at this share of the offsets.
     fn fits_at(&self, share: f64, offsets: &[DVec2]) -> bool {
         let [a, b, c] = self.corners.map(|corner| offsets[corner as usize] * share);
         let after = (self.edges[0] + (b - a)).perp_dot(self.edges[1] + (c - a));
-        after * self.doubled_area.signum() >= LEAST_AREA * self.doubled_area.abs()
+        after * self.doubled_area.signum() >= MIN_AREA * self.doubled_area.abs()
     }
 }
 
-/// The triangles at each vertex, and where they begin.
+/// Triangles at each vertex and their start indices (compressed adjacency).
 fn by_vertex(triangles: &[Flat], vertices: usize) -> (Vec<usize>, Vec<u32>) {
     let mut starts = vec![0; vertices + 1];
     let corners =
@@ -245,12 +244,12 @@ fn by_vertex(triangles: &[Flat], vertices: usize) -> (Vec<usize>, Vec<u32>) {
     (starts, at_vertices)
 }
 
-fn sort_once(values: &mut Vec<u32>) {
+fn sort_unique(values: &mut Vec<u32>) {
     values.sort_unstable();
     values.dedup();
 }
 
-/// Twice the area with its sign.
+/// Twice the signed area.
 pub(crate) fn doubled_area([a, b, c]: [DVec2; 3]) -> f64 {
     (b - a).perp_dot(c - a)
 }

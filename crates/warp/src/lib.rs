@@ -1,11 +1,11 @@
-//! A picture that follows points in it, without a seam: what is around the points gives way smoothly, up to a border where
-//! nothing moves.
+//! Warps a picture so that it follows given points without a visible seam. The displacement fades out smoothly around
+//! the points, up to a border beyond which nothing moves.
 //!
-//! [`Warp`] lays a triangulation over a picture (`layout`): the points themselves, and a lattice around and between them.
-//! Wherever the points go, the rest follows with value and slope zero at the border and no bi-Laplacian between, and where a
-//! triangle would fold, the way is shortened (`folds`, after `coarse`). [`drawn`] draws the picture so. [`leading`] tells
-//! which points of a surface can lead what is in its picture: those that are [`seen()`], and not beside another sheet of it.
-//! Knows nothing of faces.
+//! [`Warp`] triangulates the picture (`layout`): the points, a lattice around and between them, and the border. Around
+//! the points, the displacement has zero bi-Laplacian, with value and slope zero at the border. Where triangles would
+//! fold, offsets are reduced (`folds`, `coarse`). [`drawn`] renders the warped picture. [`leading`] selects the
+//! vertices of a surface that can lead a warp: those that are [`seen()`] and not close to another part of the surface.
+//! The crate does not depend on faces.
 
 mod cells;
 mod coarse;
@@ -24,7 +24,7 @@ pub use seen::seen;
 pub use surfaces::leading;
 pub use warp::{Warp, WarpMesh};
 
-/// The examples of the README are tested with those of the code.
+/// Tests the README's examples.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

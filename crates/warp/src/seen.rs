@@ -2,29 +2,30 @@ use glam::DVec3;
 
 use crate::folds::doubled_area;
 
-/// Cells of the depth picture along the longer side of what is looked at.
+/// Cells of the depth buffer along the longer side.
 const CELLS: f64 = 192.0;
-/// A vertex faces the viewer if its triangles show the front with more than this share of what they show at all.
+/// Minimum share of front-facing area around a visible vertex.
 const FRONT_SHARE: f64 = 0.4;
 
-/// Which vertices of a surface are seen: they face the viewer, and nothing of it lies before them by more than `behind`.
+/// Visible vertices of a surface: they face the viewer and lie at most `behind` behind the nearest surface.
 ///
-/// `places` are px of the picture, y down, and the way towards the viewer in any unit, which is that of `behind`. Triangles
-/// wind counter-clockwise as they are seen from the front.
-pub fn seen(triangles: &[[u32; 3]], places: &[DVec3], behind: f64) -> Vec<bool> {
-    let fronts = fronts(triangles, places);
-    let Some(depths) = Depths::of(triangles, places) else { return vec![false; places.len()] };
-    let is_seen =
-        |(&place, front): (&DVec3, f64)| front > FRONT_SHARE && place.is_finite() && depths.before(place) <= behind;
-    places.iter().zip(fronts).map(is_seen).collect()
+/// `positions` are x and y in px of the picture, y down, and the depth towards the viewer in the unit of `behind`.
+/// Triangles are counter-clockwise seen from the front.
+pub fn seen(triangles: &[[u32; 3]], positions: &[DVec3], behind: f64) -> Vec<bool> {
+    let fronts = fronts(triangles, positions);
+    let Some(depths) = Depths::of(triangles, positions) else { return vec![false; positions.len()] };
+    let is_seen = |(&position, front): (&DVec3, f64)| {
+        front > FRONT_SHARE && position.is_finite() && depths.depth_below(position) <= behind
+    };
+    positions.iter().zip(fronts).map(is_seen).collect()
 }
 
-/// For each vertex, how much of what its triangles show is the front: −1 to 1.
-fn fronts(triangles: &[[u32; 3]], places: &[DVec3]) -> Vec<f64> {
-    let mut sums = vec![(0.0, 0.0); places.len()];
+/// Front-facing minus back-facing share of the projected area around each vertex, −1 to 1.
+fn fronts(triangles: &[[u32; 3]], positions: &[DVec3]) -> Vec<f64> {
+    let mut sums = vec![(0.0, 0.0); positions.len()];
     for corners in triangles {
-        // y is down: what winds counter-clockwise for the eye has a negative area.
-        let front = -doubled_area(corners.map(|corner| places[corner as usize].truncate()));
+        // y points down, so counter-clockwise triangles have a negative area.
+        let front = -doubled_area(corners.map(|corner| positions[corner as usize].truncate()));
         for &corner in corners {
             let (fronts, all) = &mut sums[corner as usize];
             *fronts += front;
@@ -34,7 +35,7 @@ fn fronts(triangles: &[[u32; 3]], places: &[DVec3]) -> Vec<f64> {
     sums.into_iter().map(|(fronts, all): (f64, f64)| if all > 0.0 { fronts / all } else { 0.0 }).collect()
 }
 
-/// How near the surface comes in each cell of a coarse picture.
+/// Depth buffer at a coarse resolution.
 struct Depths {
     low: DVec3,
     per_px: f64,
@@ -43,11 +44,12 @@ struct Depths {
 }
 
 impl Depths {
-    /// Of the places that are some; none if they do not extend.
-    fn of(triangles: &[[u32; 3]], places: &[DVec3]) -> Option<Self> {
-        let mut finite = places.iter().filter(|place| place.is_finite());
+    /// Depth buffer of the finite positions; `None` if they have no extent.
+    fn of(triangles: &[[u32; 3]], positions: &[DVec3]) -> Option<Self> {
+        let mut finite = positions.iter().filter(|position| position.is_finite());
         let first = *finite.next()?;
-        let (low, high) = finite.fold((first, first), |(low, high), place| (low.min(*place), high.max(*place)));
+        let (low, high) =
+            finite.fold((first, first), |(low, high), position| (low.min(*position), high.max(*position)));
         let size = (high - low).truncate();
         if !(size.max_element() > 0.0 && size.is_finite()) {
             return None;
@@ -55,24 +57,24 @@ impl Depths {
         let per_px = CELLS / size.max_element();
         let [columns, rows] = [size.x, size.y].map(|side| (side * per_px) as usize + 1);
         let mut depths = Self { low, per_px, columns, nearest: vec![f64::NEG_INFINITY; columns * rows] };
-        let is_somewhere = |corners: &&[u32; 3]| corners.iter().all(|&corner| places[corner as usize].is_finite());
-        for corners in triangles.iter().filter(is_somewhere) {
-            depths.draw(corners.map(|corner| depths.cell(places[corner as usize])));
+        let is_finite = |corners: &&[u32; 3]| corners.iter().all(|&corner| positions[corner as usize].is_finite());
+        for corners in triangles.iter().filter(is_finite) {
+            depths.draw(corners.map(|corner| depths.cell(positions[corner as usize])));
         }
         Some(depths)
     }
 
-    /// How far a place is behind the nearest there.
-    fn before(&self, place: DVec3) -> f64 {
-        let cell = self.cell(place);
-        self.nearest[cell.y as usize * self.columns + cell.x as usize] - place.z
+    /// Depth of a position below the nearest surface.
+    fn depth_below(&self, position: DVec3) -> f64 {
+        let cell = self.cell(position);
+        self.nearest[cell.y as usize * self.columns + cell.x as usize] - position.z
     }
 
-    fn cell(&self, place: DVec3) -> DVec3 {
-        ((place - self.low).truncate() * self.per_px).extend(place.z)
+    fn cell(&self, position: DVec3) -> DVec3 {
+        ((position - self.low).truncate() * self.per_px).extend(position.z)
     }
 
-    /// The cells whose middles a triangle covers.
+    /// Draws a triangle into the cells whose centres it covers.
     fn draw(&mut self, [a, b, c]: [DVec3; 3]) {
         let area = doubled_area([a, b, c].map(DVec3::truncate));
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
@@ -81,8 +83,8 @@ impl Depths {
         }
         for row in low.y as usize..=high.y as usize {
             for column in low.x as usize..=high.x as usize {
-                let middle = glam::DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                let share = |from: DVec3, to: DVec3| doubled_area([from.truncate(), to.truncate(), middle]) / area;
+                let centre = glam::DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
+                let share = |from: DVec3, to: DVec3| doubled_area([from.truncate(), to.truncate(), centre]) / area;
                 let [of_a, of_b, of_c] = [share(b, c), share(c, a), share(a, b)];
                 if of_a >= 0.0 && of_b >= 0.0 && of_c >= 0.0 {
                     let nearest = &mut self.nearest[row * self.columns + column];

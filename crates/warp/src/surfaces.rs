@@ -4,36 +4,38 @@ use crate::cells::Cells;
 use crate::layout::bounds;
 use crate::seen;
 
-/// What lies behind leads only so many times as far from what is before it as two rims do from each other: which of the two a
-/// pixel shows there hangs on how exact the places are.
-const BEHIND_TIMES: f64 = 2.0;
+/// Clearance behind an occluding surface, in multiples of the clearance between rims. It is larger, because small
+/// errors of the positions decide which of the two a pixel shows.
+const OCCLUDED_CLEARANCE: f64 = 2.0;
 
-/// Cells along a surface, at most.
-const MOST_CELLS: f64 = 64.0;
+/// Maximum number of grid cells along the surface.
+const MAX_CELLS: f64 = 64.0;
 
-/// Which vertices of a surface can lead its picture: those that are [`seen`], but for what lies right beside another sheet of it.
+/// Vertices of a surface that can lead a warp: [`seen`], and not close to another part of the surface.
 ///
-/// Surfaces meet where rims touch, as closed lids and lips do, and where one lies before another, as a nose before a cheek. Points
-/// of both that lie some px from each other go different ways, and where they were found is less exact than that: what is
-/// between would go zigzag. So where rims are less than `apart_px` from each other, neither leads, and the picture gives way
-/// between what is beside them; and what lies behind another sheet by more than `behind` leads only twice as far from it. Two
-/// vertices are of one sheet if a way along edges, from one vertex that is seen to the next, joins them within that distance.
+/// Parts of a surface meet where rims touch, such as closed lids and lips, and where one occludes another, such as the
+/// nose in front of a cheek. There, vertices a few px apart move differently, and the positions are less precise than
+/// that; the warp would zigzag between them. If two rims are closer than `apart_px`, neither leads, and the picture
+/// between their neighbours is interpolated. A part that lies behind another by more than `behind` leads only from
+/// twice that distance on. Two vertices belong to the same part if a path over visible vertices within that distance
+/// connects them.
 ///
-/// `triangles`, `places` and `behind` as for [`seen`], `apart_px` in px of the picture; one answer for each vertex.
-pub fn leading(triangles: &[[u32; 3]], places: &[DVec3], behind: f64, apart_px: f64) -> Vec<bool> {
-    let mut leads = seen(triangles, places, behind);
-    let far_px = BEHIND_TIMES * apart_px;
+/// `triangles`, `positions` and `behind` are those of [`seen`]; `apart_px` is in px of the picture. Returns one value
+/// per vertex.
+pub fn leading(triangles: &[[u32; 3]], positions: &[DVec3], behind: f64, apart_px: f64) -> Vec<bool> {
+    let mut leads = seen(triangles, positions, behind);
+    let far_px = OCCLUDED_CLEARANCE * apart_px;
     if !(far_px > 0.0 && far_px.is_finite()) {
         return leads;
     }
-    let mut surfaces = Surfaces::new(triangles, places, &leads, far_px);
+    let mut surfaces = Surfaces::new(triangles, positions, &leads, far_px);
     for rim in std::mem::take(&mut surfaces.rims) {
-        for other in surfaces.beside(rim, apart_px) {
+        for other in surfaces.nearby_parts(rim, apart_px) {
             let nearer = surfaces.nearer(rim, other);
             leads[rim as usize] &= nearer > behind;
             leads[other as usize] &= nearer < -behind;
         }
-        for other in surfaces.beside(rim, far_px) {
+        for other in surfaces.nearby_parts(rim, far_px) {
             let nearer = surfaces.nearer(rim, other);
             leads[rim as usize] &= nearer >= -behind;
             leads[other as usize] &= nearer <= behind;
@@ -42,32 +44,32 @@ pub fn leading(triangles: &[[u32; 3]], places: &[DVec3], behind: f64, apart_px: 
     leads
 }
 
-/// The part of a surface that is seen.
+/// The visible part of a surface.
 struct Surfaces<'a> {
-    places: &'a [DVec3],
-    /// Those of each vertex that are seen, of one that is.
+    positions: &'a [DVec3],
+    /// Visible neighbours of each visible vertex.
     neighbours: Vec<Vec<u32>>,
-    /// Where it ends.
+    /// Boundary vertices of the visible part.
     rims: Vec<u32>,
-    /// Its vertices by where they are.
+    /// Visible vertices by position.
     cells: Cells<u32>,
-    /// Which search was the last to come to each vertex, and how many there were.
+    /// Last search that visited each vertex, and the number of searches.
     found_by: Vec<u32>,
     searches: u32,
 }
 
 impl<'a> Surfaces<'a> {
-    fn new(triangles: &[[u32; 3]], places: &'a [DVec3], is_seen: &[bool], far_px: f64) -> Self {
-        let seen: Vec<u32> = (0..places.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
-        let around = bounds(&seen.iter().map(|&vertex| places[vertex as usize].truncate()).collect::<Vec<_>>());
+    fn new(triangles: &[[u32; 3]], positions: &'a [DVec3], is_seen: &[bool], far_px: f64) -> Self {
+        let seen: Vec<u32> = (0..positions.len() as u32).filter(|&vertex| is_seen[vertex as usize]).collect();
+        let around = bounds(&seen.iter().map(|&vertex| positions[vertex as usize].truncate()).collect::<Vec<_>>());
         let longest_px = (around[1] - around[0]).max_element();
-        let cells = Cells::over(around, far_px.max(longest_px / MOST_CELLS));
-        let (neighbours, found_by) = (vec![Vec::new(); places.len()], vec![0; places.len()]);
-        let mut surfaces = Self { places, neighbours, rims: Vec::new(), cells, found_by, searches: 0 };
+        let cells = Cells::over(around, far_px.max(longest_px / MAX_CELLS));
+        let (neighbours, found_by) = (vec![Vec::new(); positions.len()], vec![0; positions.len()]);
+        let mut surfaces = Self { positions, neighbours, rims: Vec::new(), cells, found_by, searches: 0 };
         let wholly_seen = surfaces.join(triangles, is_seen);
         for vertex in seen {
-            surfaces.cells.add(surfaces.place(vertex), vertex);
-            // Around a vertex in the middle of what is seen there are as many triangles as neighbours.
+            surfaces.cells.add(surfaces.position(vertex), vertex);
+            // An interior vertex has as many triangles as neighbours.
             if surfaces.neighbours[vertex as usize].len() > wholly_seen[vertex as usize] {
                 surfaces.rims.push(vertex);
             }
@@ -75,9 +77,9 @@ impl<'a> Surfaces<'a> {
         surfaces
     }
 
-    /// Notes what is beside each vertex; returns how many of its triangles are seen with all their corners.
+    /// Collects the neighbours; returns the number of fully visible triangles at each vertex.
     fn join(&mut self, triangles: &[[u32; 3]], is_seen: &[bool]) -> Vec<usize> {
-        let mut wholly_seen = vec![0; self.places.len()];
+        let mut wholly_seen = vec![0; self.positions.len()];
         for &[a, b, c] in triangles {
             let seen = [a, b, c].map(|corner| is_seen[corner as usize]);
             [a, b, c].iter().filter(|_| seen == [true; 3]).for_each(|&corner| wholly_seen[corner as usize] += 1);
@@ -91,15 +93,15 @@ impl<'a> Surfaces<'a> {
         wholly_seen
     }
 
-    /// Vertices of other surfaces that lie so near to one: no way that stays as near leads there.
-    fn beside(&mut self, vertex: u32, within_px: f64) -> Vec<u32> {
+    /// Vertices within the distance that no path within the distance reaches.
+    fn nearby_parts(&mut self, vertex: u32, within_px: f64) -> Vec<u32> {
         self.search(vertex, within_px);
-        let place = self.place(vertex);
-        let near = self.cells.in_box([place - within_px, place + within_px]).map(|(_, other)| other);
-        let is_beside = |other: &u32| {
+        let position = self.position(vertex);
+        let near = self.cells.in_box([position - within_px, position + within_px]).map(|(_, other)| other);
+        let is_other_part = |other: &u32| {
             self.found_by[*other as usize] != self.searches && self.distance_px(vertex, *other) < within_px
         };
-        near.filter(is_beside).collect()
+        near.filter(is_other_part).collect()
     }
 
     fn search(&mut self, from: u32, within_px: f64) {
@@ -117,16 +119,16 @@ impl<'a> Surfaces<'a> {
         }
     }
 
-    /// By how much one is nearer to the viewer than the other.
+    /// Depth difference, positive if `one` is nearer to the viewer.
     fn nearer(&self, one: u32, other: u32) -> f64 {
-        self.places[one as usize].z - self.places[other as usize].z
+        self.positions[one as usize].z - self.positions[other as usize].z
     }
 
     fn distance_px(&self, one: u32, other: u32) -> f64 {
-        self.place(one).distance(self.place(other))
+        self.position(one).distance(self.position(other))
     }
 
-    fn place(&self, vertex: u32) -> DVec2 {
-        self.places[vertex as usize].truncate()
+    fn position(&self, vertex: u32) -> DVec2 {
+        self.positions[vertex as usize].truncate()
     }
 }

@@ -3,169 +3,172 @@ use rosto_laplacian::{Continuation, Operator};
 use rosto_mesh::Topology;
 
 use crate::coarse::Coarse;
-use crate::folds::Unfolding;
-use crate::layout::{Layout, Tie};
+use crate::folds::FoldRemoval;
+use crate::layout::{Layout, Role};
 use crate::{Subject, WarpError};
 
-/// A picture that follows points in it. Made once for where the points are; [`Self::follow`] is what a slider's tick costs.
+/// A warp of a picture, prepared for the points' positions at rest. [`Self::follow`] is the cost per tick.
 pub struct Warp {
     warp_mesh: WarpMesh,
-    ties: Vec<Tie>,
-    surroundings: Option<Surroundings>,
+    roles: Vec<Role>,
+    falloff: Option<FalloffSystem>,
     coarse: Coarse,
-    unfolding: Unfolding,
-    /// No offset is longer than the picture's diagonal: its squares stay finite.
-    longest_px: f64,
+    fold_removal: FoldRemoval,
+    /// Bound on offsets, the picture's diagonal, so that squared lengths stay finite.
+    max_offset_px: f64,
     offsets_px: Vec<DVec2>,
     limited_px: f64,
 }
 
-/// The part of a picture that moves, as triangles. What lies outside of them stays.
+/// The moving part of a picture, as triangles. Pixels outside do not change.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct WarpMesh {
-    /// Where its points are in the picture, in px.
+    /// Positions at rest, in px.
     pub from_px: Vec<DVec2>,
-    /// Where they go.
+    /// Warped positions, in px.
     pub to_px: Vec<DVec2>,
-    /// Its triangles, which cover each place once, before and after.
+    /// Triangles, which do not overlap before or after the warp.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The part of the triangulation that gives way, with as much of what is known around it as it takes to go on smoothly.
-struct Surroundings {
-    /// Points of the warp mesh.
+/// The free part of the triangulation and two rings of fixed points around it, which set value and slope.
+struct FalloffSystem {
+    /// Indices of its points in the warp mesh.
     points: Vec<u32>,
-    /// Indices into `points` of those that know where they go.
-    known: Vec<u32>,
+    /// Indices into `points` of the fixed ones.
+    fixed: Vec<u32>,
     continuation: Continuation,
-    known_values: Vec<f64>,
+    fixed_values: Vec<f64>,
     values: Vec<f64>,
 }
 
 impl Warp {
-    /// Lays the triangulation over the picture and factors what gives way.
+    /// Triangulates the picture and factorises the system of the falloff band.
     ///
     /// # Errors
     /// [`WarpError::TooFewPoints`] or [`WarpError::FalloffBand`].
     pub fn new(subject: &Subject<'_>) -> Result<Self, WarpError> {
         let layout = Layout::of(subject)?;
         let coarse = Coarse::new(&layout);
-        let Layout { points, ties, triangles, .. } = layout;
+        let Layout { points, roles, triangles, .. } = layout;
         let topology = Topology::new(points.len(), triangles)?;
-        let surroundings = Surroundings::new(&topology, &points, &ties)?;
-        let unfolding = Unfolding::new(topology.triangles(), &points, &ties);
+        let falloff = FalloffSystem::new(&topology, &points, &roles)?;
+        let fold_removal = FoldRemoval::new(topology.triangles(), &points, &roles);
         let warp_mesh = WarpMesh { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
-        let offsets_px = vec![DVec2::ZERO; ties.len()];
-        let longest_px = DVec2::from(subject.size_px.map(f64::from)).length();
-        Ok(Self { warp_mesh, ties, surroundings, coarse, unfolding, longest_px, offsets_px, limited_px: 0.0 })
+        let offsets_px = vec![DVec2::ZERO; roles.len()];
+        let max_offset_px = DVec2::from(subject.size_px.map(f64::from)).length();
+        Ok(Self { warp_mesh, roles, falloff, coarse, fold_removal, max_offset_px, offsets_px, limited_px: 0.0 })
     }
 
-    /// Lets each of the subject's points go to its target, in px of the picture. One whose target is no place stays.
+    /// Moves each of the subject's points to its target, in px of the picture, without folds. Points with a NaN target
+    /// stay.
     ///
     /// # Panics
-    /// If there is not one target for each of the subject's points.
+    /// If the numbers of points and targets differ.
     pub fn follow(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
         self.lead(points_px, targets_px);
         self.limited_px = 0.0;
-        if self.unfolding.folds(&self.offsets_px) {
+        if self.fold_removal.folds(&self.offsets_px) {
             self.coarse.unfold(&mut self.offsets_px);
-            self.unfolding.limit(&mut self.offsets_px);
-            self.limited_px = self.behind_px(points_px, targets_px);
+            self.fold_removal.limit(&mut self.offsets_px);
+            self.limited_px = self.shortfall_px(points_px, targets_px);
         }
-        self.put();
+        self.apply();
     }
 
-    /// The same, but what lies between may fold: for a picture in which the points have gone there already.
+    /// Like [`Self::follow`], but allows folds, for a picture whose points have already moved.
     ///
     /// # Panics
-    /// As [`Self::follow`].
+    /// If the numbers of points and targets differ.
     pub fn carry(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
         self.lead(points_px, targets_px);
         self.limited_px = 0.0;
-        self.put();
+        self.apply();
     }
 
     fn lead(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
-        assert_eq!(points_px.len(), targets_px.len(), "one target for each point");
-        for at in 0..self.ties.len() {
-            self.offsets_px[at] = self.wanted(self.ties[at], points_px, targets_px).unwrap_or_default();
+        assert_eq!(points_px.len(), targets_px.len(), "expected one target per point");
+        for at in 0..self.roles.len() {
+            self.offsets_px[at] = self.wanted(self.roles[at], points_px, targets_px).unwrap_or_default();
         }
-        if let Some(surroundings) = &mut self.surroundings {
-            surroundings.give_way(&mut self.offsets_px);
+        if let Some(falloff) = &mut self.falloff {
+            falloff.interpolate(&mut self.offsets_px);
         }
     }
 
-    /// The longest way by which a point that leads stays behind the one that it was to go.
-    fn behind_px(&self, points_px: &[DVec2], targets_px: &[DVec2]) -> f64 {
-        let behind = |(offset, tie): (&DVec2, &Tie)| Some(self.wanted(*tie, points_px, targets_px)?.distance(*offset));
-        self.offsets_px.iter().zip(&self.ties).filter_map(behind).fold(0.0, f64::max)
+    /// Largest distance of a leading point from its target.
+    fn shortfall_px(&self, points_px: &[DVec2], targets_px: &[DVec2]) -> f64 {
+        let shortfall =
+            |(offset, role): (&DVec2, &Role)| Some(self.wanted(*role, points_px, targets_px)?.distance(*offset));
+        self.offsets_px.iter().zip(&self.roles).filter_map(shortfall).fold(0.0, f64::max)
     }
 
-    /// None of what nobody leads.
-    fn wanted(&self, tie: Tie, points_px: &[DVec2], targets_px: &[DVec2]) -> Option<DVec2> {
-        match tie {
-            Tie::Follows { point, share } => {
-                Some(bounded(targets_px[point] - points_px[point], self.longest_px) * share)
+    /// Target offset of a point that leads.
+    fn wanted(&self, role: Role, points_px: &[DVec2], targets_px: &[DVec2]) -> Option<DVec2> {
+        match role {
+            Role::Moved { point, share } => {
+                Some(bounded(targets_px[point] - points_px[point], self.max_offset_px) * share)
             }
-            Tie::Stays | Tie::Free => None,
+            Role::Fixed | Role::Free => None,
         }
     }
 
-    fn put(&mut self) {
+    fn apply(&mut self) {
         for ((to, from), offset) in self.warp_mesh.to_px.iter_mut().zip(&self.warp_mesh.from_px).zip(&self.offsets_px) {
             *to = *from + *offset;
         }
     }
 
-    /// The part of the picture that moves.
+    /// The warped triangulation.
     pub fn warp_mesh(&self) -> &WarpMesh {
         &self.warp_mesh
     }
 
-    /// By how much a point stays behind where it was to go at most, in px, so that nothing folds. What lies beside what stays
-    /// was to go less far.
+    /// Largest distance in px by which fold removal keeps a point from its target. Near fixed areas, targets are
+    /// already reduced.
     pub fn limited_px(&self) -> f64 {
         self.limited_px
     }
 }
 
 impl WarpMesh {
-    /// The same in a part of the picture that begins at a place of it and is so many times as large.
+    /// The warp mesh of a part of the picture that starts at `corner_px` and is scaled by `scale`.
     pub fn cut(&self, corner_px: DVec2, scale: f64) -> Self {
-        let cut = |places: &[DVec2]| places.iter().map(|place| (*place - corner_px) * scale).collect();
-        Self { from_px: cut(&self.from_px), to_px: cut(&self.to_px), triangles: self.triangles.clone() }
+        let transformed =
+            |positions: &[DVec2]| positions.iter().map(|position| (*position - corner_px) * scale).collect();
+        Self { from_px: transformed(&self.from_px), to_px: transformed(&self.to_px), triangles: self.triangles.clone() }
     }
 }
 
-impl Surroundings {
-    /// None where nothing gives way.
-    fn new(topology: &Topology, points: &[DVec2], ties: &[Tie]) -> Result<Option<Self>, WarpError> {
-        let is_free: Vec<bool> = ties.iter().map(|tie| *tie == Tie::Free).collect();
+impl FalloffSystem {
+    /// Returns `None` without free points.
+    fn new(topology: &Topology, points: &[DVec2], roles: &[Role]) -> Result<Option<Self>, WarpError> {
+        let is_free: Vec<bool> = roles.iter().map(|role| *role == Role::Free).collect();
         if !is_free.contains(&true) {
             return Ok(None);
         }
-        let is_near = grown(topology, &grown(topology, &is_free));
+        let is_near = dilated(topology, &dilated(topology, &is_free));
         let near: Vec<u32> = (0..points.len() as u32).filter(|&point| is_near[point as usize]).collect();
-        let mut place_of = vec![u32::MAX; points.len()];
-        near.iter().zip(0..).for_each(|(&point, place)| place_of[point as usize] = place);
+        let mut index_of = vec![u32::MAX; points.len()];
+        near.iter().zip(0..).for_each(|(&point, index)| index_of[point as usize] = index);
         let inside =
             topology.triangles().iter().filter(|corners| corners.iter().all(|&corner| is_near[corner as usize]));
-        let triangles = inside.map(|corners| corners.map(|corner| place_of[corner as usize])).collect();
+        let triangles = inside.map(|corners| corners.map(|corner| index_of[corner as usize])).collect();
         let part = Topology::new(near.len(), triangles)?;
-        let places: Vec<DVec3> = near.iter().map(|&point| points[point as usize].extend(0.0)).collect();
-        let known: Vec<u32> = (0..near.len() as u32).filter(|&place| !is_free[near[place as usize] as usize]).collect();
-        let continuation = Continuation::new(&part, &places, Operator::CotangentMass, &known)?;
-        let (known_values, values) = (vec![0.0; known.len()], vec![0.0; near.len()]);
-        Ok(Some(Self { points: near, known, continuation, known_values, values }))
+        let positions: Vec<DVec3> = near.iter().map(|&point| points[point as usize].extend(0.0)).collect();
+        let fixed: Vec<u32> = (0..near.len() as u32).filter(|&index| !is_free[near[index as usize] as usize]).collect();
+        let continuation = Continuation::new(&part, &positions, Operator::CotangentMass, &fixed)?;
+        let (fixed_values, values) = (vec![0.0; fixed.len()], vec![0.0; near.len()]);
+        Ok(Some(Self { points: near, fixed, continuation, fixed_values, values }))
     }
 
-    /// Fills in the offsets of what gives way.
-    fn give_way(&mut self, offsets_px: &mut [DVec2]) {
+    /// Interpolates the offsets of the free points.
+    fn interpolate(&mut self, offsets_px: &mut [DVec2]) {
         for axis in [0, 1] {
-            for (value, &place) in self.known_values.iter_mut().zip(&self.known) {
-                *value = offsets_px[self.points[place as usize] as usize][axis];
+            for (value, &index) in self.fixed_values.iter_mut().zip(&self.fixed) {
+                *value = offsets_px[self.points[index as usize] as usize][axis];
             }
-            self.continuation.continued(&self.known_values, &mut self.values);
+            self.continuation.continued(&self.fixed_values, &mut self.values);
             for (&point, value) in self.points.iter().zip(&self.values) {
                 offsets_px[point as usize][axis] = *value;
             }
@@ -173,13 +176,13 @@ impl Surroundings {
     }
 }
 
-/// None where it is no number.
-fn bounded(offset: DVec2, longest: f64) -> DVec2 {
-    if offset.is_nan() { DVec2::ZERO } else { offset.clamp(DVec2::splat(-longest), DVec2::splat(longest)) }
+/// Clamps an offset; zero for NaN.
+fn bounded(offset: DVec2, max_offset: f64) -> DVec2 {
+    if offset.is_nan() { DVec2::ZERO } else { offset.clamp(DVec2::splat(-max_offset), DVec2::splat(max_offset)) }
 }
 
-/// These vertices and all their neighbours.
-fn grown(topology: &Topology, vertices: &[bool]) -> Vec<bool> {
-    let is_beside = |vertex: u32| topology.neighbours(vertex).iter().any(|&other| vertices[other as usize]);
-    (0..vertices.len() as u32).map(|vertex| vertices[vertex as usize] || is_beside(vertex)).collect()
+/// These vertices and their neighbours.
+fn dilated(topology: &Topology, vertices: &[bool]) -> Vec<bool> {
+    let has_neighbour = |vertex: u32| topology.neighbours(vertex).iter().any(|&other| vertices[other as usize]);
+    (0..vertices.len() as u32).map(|vertex| vertices[vertex as usize] || has_neighbour(vertex)).collect()
 }

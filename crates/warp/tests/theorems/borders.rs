@@ -4,9 +4,9 @@ use rosto_warp::{Dab, Subject, Warp, drawn};
 use crate::scenes::*;
 use crate::seeded::Seeded;
 
-/// A line that crosses the falloff band's border goes on straight: where it is has no jump, and its slope has none either.
+/// Value and slope are continuous at the outer border of the falloff band.
 #[test]
-fn at_the_border_value_and_slope_vanish() {
+fn value_and_slope_vanish_at_the_border() {
     let mut seeded = Seeded::new(6);
     let points = oval(&mut seeded);
     let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::new(10.0, 0.0)).collect();
@@ -18,39 +18,40 @@ fn at_the_border_value_and_slope_vanish() {
         let chosen = offsets().filter(move |(away, _)| (low..high).contains(&(away / FALLOFF_BAND_PX)));
         chosen.map(|(_, offset)| offset.length()).fold(0.0, f64::max)
     };
-    assert_eq!(within(0.95, 9.0), 0.0, "what is beyond the border");
-    assert!(within(0.0, 0.2) > 8.0, "what is beside the subject follows it");
-    // A cubic from 1 to 0 with slope 0 at its end has fallen to a tenth at 4/5 of the way, a straight line to a fifth.
+    assert_eq!(within(0.95, 9.0), 0.0, "beyond the border");
+    assert!(within(0.0, 0.2) > 8.0, "next to the subject");
+    // A cubic from 1 to 0 with zero end slope has fallen to a tenth at 4/5 of the distance, a straight line to a fifth.
     assert!(within(0.75, 0.95) < 0.12 * 10.0, "{}", within(0.75, 0.95));
     let falls: Vec<f64> = [0.1, 0.3, 0.5, 0.7, 0.9].map(|share| within(share - 0.1, share + 0.1)).to_vec();
     assert!(falls.is_sorted_by(|nearer, farther| nearer > farther), "{falls:?}");
 }
 
 #[test]
-fn what_is_kept_keeps_its_bytes() {
+fn protected_pixels_do_not_change() {
     let photo = noise();
     for seed in 0..8 {
         let mut seeded = Seeded::new(seed);
         let points = oval(&mut seeded);
-        let kept: Vec<Dab> = (0..3)
+        let protected: Vec<Dab> = (0..3)
             .map(|_| Dab {
                 centre_px: MIDDLE + AXES * 1.4 * plane(&mut seeded),
                 radius_px: 7.0 + 6.0 * seeded.signed(),
             })
             .collect();
-        let mut warp = warp(&points, &kept);
+        let mut warp = warp(&points, &protected);
         warp.follow(&points, &edited(&points, 15.0, &mut seeded));
-        assert_whole(warp.warp_mesh());
+        assert_bijective(warp.warp_mesh());
         let after = redrawn(&photo, &warp);
-        let is_kept = |place: DVec2| kept.iter().any(|dab| dab.centre_px.distance(place) <= dab.radius_px);
-        for ((place, before), (_, after)) in pixels(&photo).zip(pixels(&after)) {
-            assert!(before == after || !is_kept(place), "{place} of edit {seed}");
+        let is_protected =
+            |position: DVec2| protected.iter().any(|dab| dab.centre_px.distance(position) <= dab.radius_px);
+        for ((position, before), (_, after)) in pixels(&photo).zip(pixels(&after)) {
+            assert!(before == after || !is_protected(position), "{position} , edit {seed}");
         }
     }
 }
 
 #[test]
-fn all_that_is_kept_moves_nothing() {
+fn a_fully_protected_picture_does_not_change() {
     let mut seeded = Seeded::new(9);
     let points = oval(&mut seeded);
     let mut warp = warp(&points, &[Dab { centre_px: MIDDLE, radius_px: 500.0 }]);
@@ -58,9 +59,9 @@ fn all_that_is_kept_moves_nothing() {
     assert_eq!((warp.limited_px(), redrawn(&noise(), &warp)), (0.0, noise()));
 }
 
-/// A face that the picture's edge cuts, pushed out of the picture and into it: the edge stays a straight line, without a hole.
+/// A subject cut by the picture's border and moved outward and inward.
 #[test]
-fn the_edge_of_the_picture_stays_a_straight_line() {
+fn the_border_of_the_picture_does_not_move() {
     let white = painted(|_| [255.0; 3]);
     for (seed, shift) in
         [DVec2::new(-98.0, 0.0), DVec2::new(80.0, 90.0), DVec2::new(0.0, -103.0)].into_iter().enumerate()
@@ -68,36 +69,37 @@ fn the_edge_of_the_picture_stays_a_straight_line() {
         let mut seeded = Seeded::new(seed as u64);
         let points: Vec<DVec2> = oval(&mut seeded).iter().map(|point| *point + shift).collect();
         assert!(points.iter().any(|point| point.min_element() < 0.0 || point.max_element() > f64::from(SIDE)));
-        for way in [DVec2::new(14.0, 9.0), DVec2::new(-14.0, -9.0)] {
-            let targets: Vec<DVec2> = points.iter().map(|point| *point + way).collect();
+        for offset in [DVec2::new(14.0, 9.0), DVec2::new(-14.0, -9.0)] {
+            let targets: Vec<DVec2> = points.iter().map(|point| *point + offset).collect();
             let warp = moved(&points, &targets);
-            assert_whole(warp.warp_mesh());
+            assert_bijective(warp.warp_mesh());
             let size = f64::from(SIDE);
-            let at_edge = |place: &DVec2| place.x == 0.0 || place.y == 0.0 || place.x == size || place.y == size;
+            let at_edge =
+                |position: &DVec2| position.x == 0.0 || position.y == 0.0 || position.x == size || position.y == size;
             for (from, to) in warp.warp_mesh().from_px.iter().zip(&warp.warp_mesh().to_px) {
                 assert!(!at_edge(from) || from == to);
                 assert!(to.min_element() >= 0.0 && to.max_element() <= size, "{to}");
             }
-            assert_eq!(redrawn(&white, &warp), white, "nothing comes from nowhere");
+            assert_eq!(redrawn(&white, &warp), white, "no hole appears");
         }
     }
 }
 
 #[test]
-fn a_wider_ring_gives_way_further_out() {
+fn a_wider_falloff_band_changes_more_distant_pixels() {
     let mut seeded = Seeded::new(10);
     let points = oval(&mut seeded);
     let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::X * 8.0).collect();
     let photo = noise();
-    let reaches = [15.0, 30.0, 60.0].map(|falloff_band_px| {
+    let extents_px = [15.0, 30.0, 60.0].map(|falloff_band_px| {
         let mut warp =
             Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: &points, falloff_band_px, kept: &[] }).unwrap();
         warp.follow(&points, &targets);
         let after = drawn(&photo, warp.warp_mesh());
         let changed = pixels(&photo).zip(pixels(&after)).filter(|((_, before), (_, after))| before != after);
-        changed.map(|((place, _), _)| nearest(&points, place)).fold(0.0, f64::max)
+        changed.map(|((position, _), _)| nearest(&points, position)).fold(0.0, f64::max)
     });
-    for (reach, falloff_band_px) in reaches.into_iter().zip([15.0, 30.0, 60.0]) {
-        assert!((0.6 * falloff_band_px..falloff_band_px).contains(&reach), "{reach} of {falloff_band_px}");
+    for (extent_px, falloff_band_px) in extents_px.into_iter().zip([15.0, 30.0, 60.0]) {
+        assert!((0.6 * falloff_band_px..falloff_band_px).contains(&extent_px), "{extent_px} of {falloff_band_px}");
     }
 }

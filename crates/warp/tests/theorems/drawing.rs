@@ -6,33 +6,32 @@ use crate::scenes::*;
 use crate::seeded::Seeded;
 
 #[test]
-fn without_a_motion_the_picture_keeps_its_bytes() {
+fn without_displacements_pixels_do_not_change() {
     let points = oval(&mut Seeded::new(1));
     let photo = noise();
-    assert_eq!(redrawn(&photo, &warp(&points, &[])), photo, "nothing was asked");
-    assert_eq!(redrawn(&photo, &moved(&points, &points)), photo, "all goes to where it is");
+    assert_eq!(redrawn(&photo, &warp(&points, &[])), photo, "before follow");
+    assert_eq!(redrawn(&photo, &moved(&points, &points)), photo, "targets equal to the points");
     let mut there_and_back = moved(&points, &edited(&points, 9.0, &mut Seeded::new(2)));
     assert_ne!(redrawn(&photo, &there_and_back), photo);
     there_and_back.follow(&points, &points);
-    assert_eq!(redrawn(&photo, &there_and_back), photo, "nothing is left of what was");
+    assert_eq!(redrawn(&photo, &there_and_back), photo, "after moving back");
 }
 
 #[test]
-fn beyond_the_ring_every_byte_stays() {
+fn pixels_beyond_the_falloff_band_do_not_change() {
     let photo = noise();
     for seed in 0..12 {
         let mut seeded = Seeded::new(seed);
         let points = oval(&mut seeded);
         let after = redrawn(&photo, &moved(&points, &edited(&points, 20.0, &mut seeded)));
         assert_ne!(after, photo);
-        for ((place, before), (_, after)) in pixels(&photo).zip(pixels(&after)) {
-            assert!(before == after || nearest(&points, place) < FALLOFF_BAND_PX, "{place} of edit {seed}");
+        for ((position, before), (_, after)) in pixels(&photo).zip(pixels(&after)) {
+            assert!(before == after || nearest(&points, position) < FALLOFF_BAND_PX, "{position} , edit {seed}");
         }
     }
 }
 
-/// The picture shows where each of its places came from: on a slope of one level a px, two pixels beside each other come from
-/// places beside each other, as far apart as the map stretches.
+/// On slopes of one level per px, adjacent pixels differ by at most the map's largest stretch.
 #[test]
 fn there_is_no_seam() {
     let slopes = painted(|at| [at.x + 20.0, at.y + 20.0, 240.0 - at.x]);
@@ -40,23 +39,26 @@ fn there_is_no_seam() {
         let mut seeded = Seeded::new(seed);
         let points = oval(&mut seeded);
         let warp = moved(&points, &edited(&points, 14.0, &mut seeded));
-        // Rounding, and what the cubic makes of rounded slopes.
-        let most = most_stretched(warp.warp_mesh()) + 2.0;
+        // Allows for rounding of the slopes and of the result.
+        let limit = max_stretch(warp.warp_mesh()) + 2.0;
         let after = redrawn(&slopes, &warp);
         for (x, y) in (1..SIDE).flat_map(|y| (1..SIDE).map(move |x| (x, y))) {
             let here = after.pixel(x, y);
-            for beside in [after.pixel(x - 1, y), after.pixel(x, y - 1)] {
-                let jump = (0..3).map(|channel| here[channel].abs_diff(beside[channel])).max().unwrap();
-                assert!(f64::from(jump) <= most, "a jump of {jump} at ({x}, {y}) in edit {seed}, at most {most}");
+            for adjacent in [after.pixel(x - 1, y), after.pixel(x, y - 1)] {
+                let jump = (0..3).map(|channel| here[channel].abs_diff(adjacent[channel])).max().unwrap();
+                assert!(
+                    f64::from(jump) <= limit,
+                    "a jump of {jump} at ({x}, {y}) in edit {seed}, the limit is {limit}"
+                );
             }
         }
     }
 }
 
-/// How far apart the places of two neighbouring pixels can be at most.
-fn most_stretched(warp_mesh: &WarpMesh) -> f64 {
-    let edges = |places: &[DVec2], corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|corner| places[corner as usize]);
+/// Largest distance between the sources of two adjacent pixels.
+fn max_stretch(warp_mesh: &WarpMesh) -> f64 {
+    let edges = |positions: &[DVec2], corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|corner| positions[corner as usize]);
         DMat2::from_cols(b - a, c - a)
     };
     let stretch = |corners: &[u32; 3]| {
@@ -67,7 +69,7 @@ fn most_stretched(warp_mesh: &WarpMesh) -> f64 {
 }
 
 #[test]
-fn what_is_at_a_point_is_found_where_the_point_was_sent() {
+fn the_picture_at_a_point_moves_to_its_target() {
     for seed in 0..12 {
         let mut seeded = Seeded::new(seed);
         let points = oval(&mut seeded);
@@ -82,42 +84,41 @@ fn what_is_at_a_point_is_found_where_the_point_was_sent() {
 }
 
 fn centroid(photo: &Photo) -> DVec2 {
-    let weighed = pixels(photo).map(|(place, [red, ..])| (place, f64::from(red)));
-    let (sum, all) = weighed.fold((DVec2::ZERO, 0.0), |(sum, all), (place, red)| (sum + place * red, all + red));
+    let weighed = pixels(photo).map(|(position, [red, ..])| (position, f64::from(red)));
+    let (sum, all) = weighed.fold((DVec2::ZERO, 0.0), |(sum, all), (position, red)| (sum + position * red, all + red));
     sum / all
 }
 
-/// Every pixel of what moves is drawn, those on edges and corners of triangles, too: where the source is white, nothing of the
-/// black that was there is left.
+/// Pixels on edges and corners of triangles are drawn as well.
 #[test]
-fn no_pixel_is_left_out_between_triangles() {
-    // Points and targets in the middles of pixels, so that edges run through many.
+fn triangles_leave_no_gaps() {
+    // At pixel centres, so that edges pass through many of them.
     let points: Vec<DVec2> = (0..81).map(|i| DVec2::new(f64::from(i % 9), f64::from(i / 9)) * 10.0 + 60.5).collect();
     let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::new(8.0, 4.0)).collect();
     let warp = moved(&points, &targets);
     let inside = |at: DVec2| (at - 100.5).abs().max_element();
     let photo = painted(|at| if inside(at) < 40.0 { [255.0; 3] } else { [0.0; 3] });
-    for (place, colour) in pixels(&redrawn(&photo, &warp)) {
-        let is_within = inside(place - DVec2::new(8.0, 4.0)) < 37.0;
-        assert!(!is_within || colour == [255; 3], "{colour:?} at {place}");
+    for (position, colour) in pixels(&redrawn(&photo, &warp)) {
+        let is_within = inside(position - DVec2::new(8.0, 4.0)) < 37.0;
+        assert!(!is_within || colour == [255; 3], "{colour:?} at {position}");
     }
 }
 
 #[test]
-fn a_larger_picture_is_warped_in_the_same_way() {
+fn the_warp_scales_with_the_picture() {
     let mut seeded = Seeded::new(3);
     let points = oval(&mut seeded);
     let warp = moved(&points, &edited(&points, 9.0, &mut seeded));
     let twice = warp.warp_mesh().cut(DVec2::ZERO, 2.0);
-    let mut larger = Warp2::of(&points);
+    let mut larger = LargerWarp::of(&points);
     larger.follow(&twice);
-    assert!(larger.furthest(&twice) < 1e-6, "{}", larger.furthest(&twice));
+    assert!(larger.max_difference_px(&twice) < 1e-6, "{}", larger.max_difference_px(&twice));
 }
 
 /// The same subject in a picture twice as large.
-struct Warp2(rosto_warp::Warp, Vec<DVec2>);
+struct LargerWarp(rosto_warp::Warp, Vec<DVec2>);
 
-impl Warp2 {
+impl LargerWarp {
     fn of(points: &[DVec2]) -> Self {
         let points: Vec<DVec2> = points.iter().map(|point| *point * 2.0).collect();
         let subject = rosto_warp::Subject {
@@ -129,7 +130,7 @@ impl Warp2 {
         Self(rosto_warp::Warp::new(&subject).unwrap(), points)
     }
 
-    /// Sends each point to where it is in the scaled warp mesh.
+    /// Uses the scaled warp mesh's points as targets.
     fn follow(&mut self, warp_mesh: &WarpMesh) {
         let target = |point: &DVec2| {
             let at = warp_mesh.from_px.iter().position(|from| from.distance(*point) < 1e-9).unwrap();
@@ -139,15 +140,15 @@ impl Warp2 {
         self.0.follow(&self.1, &targets);
     }
 
-    fn furthest(&self, warp_mesh: &WarpMesh) -> f64 {
+    fn max_difference_px(&self, warp_mesh: &WarpMesh) -> f64 {
         let apart = self.0.warp_mesh().to_px.iter().zip(&warp_mesh.to_px).map(|(a, b)| a.distance(*b));
         apart.fold(0.0, f64::max)
     }
 }
 
-/// A colour that is opaque where another channel is bright moves as that one does.
+/// The alpha channel, a copy of red, stays equal to red.
 #[test]
-fn transparency_moves_with_the_colours() {
+fn alpha_is_warped_like_the_colours() {
     let mut seeded = Seeded::new(3);
     let points = oval(&mut seeded);
     let warp = moved(&points, &edited(&points, 14.0, &mut seeded));

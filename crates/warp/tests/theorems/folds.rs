@@ -5,25 +5,25 @@ use crate::scenes::*;
 use crate::seeded::Seeded;
 
 #[test]
-fn no_target_turns_a_triangle_over() {
+fn triangles_do_not_fold() {
     for seed in 0..24 {
         let mut seeded = Seeded::new(seed);
         let points = oval(&mut seeded);
         let most_px = [3.0, 30.0, 300.0, 3e5][seed as usize % 4];
-        // In a bump, and each for itself.
-        let alike = edited(&points, most_px, &mut seeded);
-        let torn: Vec<DVec2> = points.iter().map(|&point| point + plane(&mut seeded) * most_px).collect();
-        for targets in [alike, torn] {
+        // As smooth bumps, and independently of each other.
+        let smooth = edited(&points, most_px, &mut seeded);
+        let independent: Vec<DVec2> = points.iter().map(|&point| point + plane(&mut seeded) * most_px).collect();
+        for targets in [smooth, independent] {
             let warp = moved(&points, &targets);
-            assert_whole(warp.warp_mesh());
+            assert_bijective(warp.warp_mesh());
             assert!(warp.limited_px() < 2.0 * most_px * 2_f64.sqrt() && warp.limited_px() >= 0.0);
         }
     }
 }
 
 #[test]
-fn lines_that_would_cross_meet_and_that_is_said() {
-    // Two lips 3 px apart, the upper one to go 12 px below the lower one.
+fn crossing_lines_are_limited_and_reported() {
+    // Two lips 3 px apart; the upper one is moved to 12 px below the lower one.
     let line = |y: f64| (0..12).map(move |i| DVec2::new(60.0 + 7.0 * f64::from(i), y));
     let points: Vec<DVec2> = line(80.0).chain(line(100.0)).chain(line(103.0)).chain(line(123.0)).collect();
     let lower = |share: f64| {
@@ -33,32 +33,32 @@ fn lines_that_would_cross_meet_and_that_is_said() {
         })
     };
     let warp = |share: f64| moved(&points, &lower(share).collect::<Vec<_>>());
-    assert_eq!(warp(0.1).limited_px(), 0.0, "half the way to each other, they touch nothing");
+    assert_eq!(warp(0.1).limited_px(), 0.0, "at half the distance they do not touch");
     for share in [0.5, 1.0] {
         let warp = warp(share);
-        assert_whole(warp.warp_mesh());
+        assert_bijective(warp.warp_mesh());
         assert!(warp.limited_px() > 1.0, "{}", warp.limited_px());
         let moved = warp.warp_mesh().from_px.iter().zip(&warp.warp_mesh().to_px).map(|(from, to)| from.distance(*to));
-        assert!(moved.fold(0.0, f64::max) > 2.0, "not all is taken back");
+        assert!(moved.fold(0.0, f64::max) > 2.0, "most of the displacement remains");
     }
 }
 
 #[test]
-fn what_folds_in_one_place_takes_nothing_back_in_another() {
+fn fold_removal_is_local() {
     let points: Vec<DVec2> =
         (0..150).map(|i| DVec2::new(50.0 + 7.0 * f64::from(i % 15), 60.0 + 8.0 * f64::from(i / 15))).collect();
     let mut targets = points.clone();
-    // One point goes over its neighbours; far from it a smooth bump.
+    // One point crosses its neighbours; a smooth bump lies far from it.
     targets[32].x += 30.0;
     let bump = points[117];
-    let way = |point: DVec2| DVec2::new(5.0, -3.0) * (-(point - bump).length_squared() / 300.0).exp();
+    let offset = |point: DVec2| DVec2::new(5.0, -3.0) * (-(point - bump).length_squared() / 300.0).exp();
     targets
         .iter_mut()
         .zip(&points)
         .filter(|(_, point)| point.y > 95.0)
-        .for_each(|(target, point)| *target += way(*point));
+        .for_each(|(target, point)| *target += offset(*point));
     let warp = moved(&points, &targets);
-    assert_whole(warp.warp_mesh());
+    assert_bijective(warp.warp_mesh());
     assert!(warp.limited_px() > 5.0, "{}", warp.limited_px());
     for (point, target) in points.iter().zip(&targets).filter(|(point, _)| point.y > 115.0) {
         let at = warp.warp_mesh().from_px.iter().position(|from| from == point).unwrap();
@@ -66,17 +66,17 @@ fn what_folds_in_one_place_takes_nothing_back_in_another() {
     }
 }
 
-/// A bump as a long nose makes it when it is pulled aside: over what lies beside it.
+/// A narrow bump, as of a long nose pulled to the side over the cheek.
 #[test]
-fn however_dense_points_are_what_folds_widely_goes_nearly_as_far() {
+fn the_limited_displacement_depends_little_on_the_density() {
     let moved_px = |apart_px: f64| {
         let along = (96.0 / apart_px) as u32 + 1;
         let at = |i: u32| 52.0 + apart_px * f64::from(i);
         let points: Vec<DVec2> = (0..along * along).map(|i| DVec2::new(at(i % along), at(i / along))).collect();
-        let way = |point: DVec2| DVec2::X * 30.0 * (-(point - DVec2::splat(100.0)).length_squared() / 150.0).exp();
-        let targets: Vec<DVec2> = points.iter().map(|&point| point + way(point)).collect();
+        let offset = |point: DVec2| DVec2::X * 30.0 * (-(point - DVec2::splat(100.0)).length_squared() / 150.0).exp();
+        let targets: Vec<DVec2> = points.iter().map(|&point| point + offset(point)).collect();
         let warp = moved(&points, &targets);
-        assert_whole(warp.warp_mesh());
+        assert_bijective(warp.warp_mesh());
         assert!(warp.limited_px() > 1.0, "{} px", warp.limited_px());
         let WarpMesh { from_px, to_px, .. } = warp.warp_mesh();
         from_px.iter().zip(to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
@@ -86,27 +86,27 @@ fn however_dense_points_are_what_folds_widely_goes_nearly_as_far() {
 }
 
 #[test]
-fn what_is_limited_is_as_long_as_it_is_said() {
+fn limited_px_is_the_largest_distance_from_a_target() {
     let mut seeded = Seeded::new(4);
     let points = oval(&mut seeded);
     let targets: Vec<DVec2> = points.iter().map(|&point| point + plane(&mut seeded) * 8.0).collect();
     let warp = moved(&points, &targets);
-    let behind = |(point, target): (&DVec2, &DVec2)| {
+    let shortfall = |(point, target): (&DVec2, &DVec2)| {
         let at = warp.warp_mesh().from_px.iter().position(|from| from == point)?;
         Some(warp.warp_mesh().to_px[at].distance(*target))
     };
-    let longest = points.iter().zip(&targets).filter_map(behind).fold(0.0, f64::max);
+    let longest = points.iter().zip(&targets).filter_map(shortfall).fold(0.0, f64::max);
     assert!((longest - warp.limited_px()).abs() < 1e-9, "{longest} and {}", warp.limited_px());
 }
 
 #[test]
-fn the_same_question_has_the_same_answer_to_the_last_bit() {
+fn results_do_not_depend_on_earlier_calls() {
     let mut seeded = Seeded::new(5);
     let points = oval(&mut seeded);
     let ticks: Vec<Vec<DVec2>> = (0..4).map(|_| edited(&points, 40.0, &mut seeded)).collect();
-    let mut busy = warp(&points, &[]);
+    let mut reused = warp(&points, &[]);
     for targets in &ticks {
-        busy.follow(&points, targets);
-        assert_eq!(busy.warp_mesh(), moved(&points, targets).warp_mesh(), "what was before leaves nothing");
+        reused.follow(&points, targets);
+        assert_eq!(reused.warp_mesh(), moved(&points, targets).warp_mesh(), "no state remains");
     }
 }

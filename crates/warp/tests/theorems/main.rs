@@ -1,4 +1,4 @@
-//! What must hold for every warp, whatever moves where.
+//! Properties that hold for any warp.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod borders;

@@ -5,8 +5,8 @@ use rosto_warp::{Subject, Warp, drawn};
 use crate::scenes::*;
 use crate::seeded::Seeded;
 
-/// What becomes of a picture of this size whose points go that way.
-fn outcome(photo: &Photo, points: &[DVec2], targets: &[DVec2]) -> Photo {
+/// The picture warped from the points to the targets.
+fn warped(photo: &Photo, points: &[DVec2], targets: &[DVec2]) -> Photo {
     let size_px = [photo.width(), photo.height()];
     let mut warp =
         Warp::new(&Subject { size_px, points_px: points, falloff_band_px: FALLOFF_BAND_PX, kept: &[] }).unwrap();
@@ -15,12 +15,12 @@ fn outcome(photo: &Photo, points: &[DVec2], targets: &[DVec2]) -> Photo {
 }
 
 fn mapped(photo: &Photo, size: [u32; 2], source: impl Fn(u32, u32) -> Option<(u32, u32)>) -> Photo {
-    let places = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
-    let bytes = places.flat_map(|(x, y)| source(x, y).map_or([0; 3], |(x, y)| photo.pixel(x, y)));
+    let positions = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
+    let bytes = positions.flat_map(|(x, y)| source(x, y).map_or([0; 3], |(x, y)| photo.pixel(x, y)));
     Photo::from_rgb(size[0], size[1], bytes.collect()).unwrap()
 }
 
-/// By how many levels the most different bytes differ.
+/// Largest difference of corresponding bytes.
 fn most_different(a: &Photo, b: &Photo) -> u8 {
     a.pixels().iter().zip(b.pixels()).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
 }
@@ -30,7 +30,7 @@ fn smooth() -> Photo {
 }
 
 #[test]
-fn subject_and_picture_can_be_elsewhere() {
+fn the_warp_is_invariant_under_translation() {
     let photo = smooth();
     let (right, down) = (37, 12);
     let framed = |photo: &Photo| {
@@ -44,7 +44,7 @@ fn subject_and_picture_can_be_elsewhere() {
         let mut seeded = Seeded::new(seed);
         let points = oval(&mut seeded);
         let targets = edited(&points, 9.0, &mut seeded);
-        let shifted = |places: &[DVec2]| places.iter().map(|place| *place + shift).collect::<Vec<_>>();
+        let shifted = |positions: &[DVec2]| positions.iter().map(|position| *position + shift).collect::<Vec<_>>();
         let there = outcome(&framed(&photo), &shifted(&points), &shifted(&targets));
         let here = framed(&outcome(&photo, &points, &targets));
         assert!(most_different(&there, &here) <= 1, "edit {seed}: {}", most_different(&there, &here));
@@ -52,7 +52,7 @@ fn subject_and_picture_can_be_elsewhere() {
 }
 
 #[test]
-fn a_mirrored_edit_gives_the_mirrored_picture() {
+fn the_warp_commutes_with_mirroring() {
     let photo = smooth();
     let size = f64::from(SIDE);
     for seed in 0..6 {
@@ -62,8 +62,9 @@ fn a_mirrored_edit_gives_the_mirrored_picture() {
         let across = |photo: &Photo| mapped(photo, [SIDE, SIDE], |x, y| Some((SIDE - 1 - x, y)));
         let down = |photo: &Photo| mapped(photo, [SIDE, SIDE], |x, y| Some((x, SIDE - 1 - y)));
         let places_across =
-            |places: &[DVec2]| places.iter().map(|at| DVec2::new(size - at.x, at.y)).collect::<Vec<_>>();
-        let places_down = |places: &[DVec2]| places.iter().map(|at| DVec2::new(at.x, size - at.y)).collect::<Vec<_>>();
+            |positions: &[DVec2]| positions.iter().map(|at| DVec2::new(size - at.x, at.y)).collect::<Vec<_>>();
+        let places_down =
+            |positions: &[DVec2]| positions.iter().map(|at| DVec2::new(at.x, size - at.y)).collect::<Vec<_>>();
         let here = outcome(&photo, &points, &targets);
         let there = outcome(&across(&photo), &places_across(&points), &places_across(&targets));
         assert!(most_different(&across(&there), &here) <= 1, "{}", most_different(&across(&there), &here));
@@ -73,7 +74,7 @@ fn a_mirrored_edit_gives_the_mirrored_picture() {
 }
 
 #[test]
-fn the_way_there_and_a_share_of_it_are_in_proportion() {
+fn the_warp_is_linear_without_folds() {
     let mut seeded = Seeded::new(12);
     let points = oval(&mut seeded);
     let targets = edited(&points, 5.0, &mut seeded);
@@ -82,6 +83,6 @@ fn the_way_there_and_a_share_of_it_are_in_proportion() {
     for ((from, whole), half) in
         whole.warp_mesh().from_px.iter().zip(&whole.warp_mesh().to_px).zip(&half.warp_mesh().to_px)
     {
-        assert!(from.lerp(*whole, 0.5).distance(*half) < 1e-9, "linear as long as nothing folds");
+        assert!(from.lerp(*whole, 0.5).distance(*half) < 1e-9, "half the target gives half the displacement");
     }
 }
