@@ -92,7 +92,7 @@ def test_several_images_of_one_head_give_one_face(portrait, pixels):
 @pytest.mark.parametrize(
     ("work", "words"),
     [
-        (lambda photo: rosto.mesh(photo, [rosto.Slider("ear", 4)]), ["'ear:4'", "no slider"]),
+        (lambda photo: rosto.mesh(photo, [rosto.Slider("ear", 4)]), ["'ear:4'", "unknown slider"]),
         (lambda photo: rosto.mesh(photo, [rosto.Vertex(9999, (0, 0, 1))]), ["edit 1", "9999", "0 to 467"]),
         (lambda photo: rosto.mesh(photo, colour="red"), ["--colour"]),
         (lambda photo: rosto.mesh(photo).to_bytes("doc"), [".doc", ".glb"]),

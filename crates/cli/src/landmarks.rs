@@ -68,7 +68,7 @@ pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError>
     let mut summary = BatchSummary::default();
     let work = |photo: &Path| line(photo, &how, &finder, &options);
     batch::in_order(&left, task.batch.jobs, work, |(photo, outcome): Outcome<Line>| {
-        let kept = match &outcome {
+        let written = match &outcome {
             Ok(line) => {
                 progress.note(&line.notes);
                 lines.add(&line.json)
@@ -80,7 +80,7 @@ pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError>
         };
         summary.count(outcome.map(|line| line.faces > 0).as_ref());
         progress.step();
-        kept
+        written
     })?;
     drop(progress);
     if let Some(path) = &task.output {

@@ -40,7 +40,7 @@ pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Resul
 }
 
 fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask) -> Result<Photo, CliError> {
-    let mut warp = PhotoWarp::new(face, document, task.falloff_band, &task.kept)?;
+    let mut warp = PhotoWarp::new(face, document, task.falloff_band, &task.protected)?;
     let seen_from = match task.seen_from_m {
         Some(distance_m) => face.seen_from(distance_m),
         None => *face.camera(),

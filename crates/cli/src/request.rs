@@ -40,7 +40,7 @@ pub fn check(task: &MeshTask, format: Format, given: &Given<'_>) -> Result<(), C
 /// Refuses options of `rosto photo` without effect.
 pub fn check_photo(task: &PhotoTask, given: &Given<'_>) -> Result<(), CliError> {
     if !is_edited(&task.edits) && task.seen_from_m.is_none() {
-        for (id, flag) in [("falloff_band", "--falloff-band"), ("kept", "--keep")] {
+        for (id, flag) in [("falloff_band", "--falloff-band"), ("protected", "--keep")] {
             if given.has(id) {
                 return no_effect(flag, "the photo is not edited");
             }

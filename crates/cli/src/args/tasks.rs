@@ -136,7 +136,7 @@ pub struct PhotoTask {
     pub falloff_band: f64,
     /// Protect a circle of the photo from the warp: centre and radius in px of the upright photo; repeatable
     #[arg(long = "keep", value_name = "X,Y,RADIUS", allow_hyphen_values = true, value_parser = settings::dab)]
-    pub kept: Vec<Dab>,
+    pub protected: Vec<Dab>,
     /// Show the face as a camera at this distance sees it
     #[arg(long = "seen-from", value_name = "CM", allow_negative_numbers = true, value_parser = settings::seen_from)]
     pub seen_from_m: Option<f64>,

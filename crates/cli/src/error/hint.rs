@@ -10,7 +10,7 @@ use super::CliError;
 use crate::input::ReadError;
 
 impl CliError {
-    /// What the user can do about the error, if anything.
+    /// Suggested remedy, if there is one.
     pub(crate) fn hint(&self) -> Option<Cow<'static, str>> {
         if let Self::Edit { reason: StudioError::Laplacian(reason), .. } = self {
             return edit_hint(reason);
