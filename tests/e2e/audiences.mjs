@@ -1,7 +1,7 @@
 const TOUCH = { hasTouch: true, isMobile: true };
 
 /**
- * The windows that the page is looked at in: a laptop, a phone, a desk, a tablet, a phone on its side, a page at 200 %.
+ * Windows that the tests use: laptop, phone, desktop, tablet, landscape phone, and a page at 200 % zoom.
  *
  * @type {{ id: string, options: import("@playwright/test").BrowserContextOptions }[]}
  */

@@ -3,7 +3,7 @@ import { chromium } from "@playwright/test";
 
 const CANDIDATES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
-/** What draws, in software: a canvas presents, can be read, and shows in screenshots. */
+/** Software rendering; the canvas can be read and appears in screenshots. */
 const GPUS = {
   webgpu: [
     "--enable-unsafe-webgpu",
@@ -17,7 +17,7 @@ const GPUS = {
   none: ["--disable-gpu", "--disable-3d-apis"],
 };
 
-/** A WebGPU canvas is drawn and never shown: putting the page together in software as well costs twice what the rest does. */
+/** Skips compositing in software, which takes two thirds of the time. The WebGPU canvas is drawn but not shown. */
 const UNSEEN = ["--disable-gpu-compositing"];
 
 const QUIET = [
@@ -33,8 +33,8 @@ const QUIET = [
 /**
  * Starts the system's Chromium without a window.
  *
- * @param {{ gpu?: keyof typeof GPUS, film?: string, seen?: boolean, keepsPages?: boolean }} [options] `film`: a .y4m that a fake camera plays;
- *   `seen`: whether the 3D view shows in screenshots; `keepsPages`: whether pages that are left are kept for the way back
+ * @param {{ gpu?: keyof typeof GPUS, video?: string, seen?: boolean, keepsPages?: boolean }} [options] `video`: .y4m file for
+ *   a fake camera; `seen`: screenshots show the 3D view; `keepsPages`: enables the back/forward cache
  */
 export function launch({ gpu = "webgpu", video, seen = true, keepsPages = false } = {}) {
   const camera = ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream", `--use-file-for-fake-video-capture=${video}`];
@@ -45,6 +45,6 @@ export function launch({ gpu = "webgpu", video, seen = true, keepsPages = false 
 
 function executable() {
   const found = [process.env.ROSTO_BROWSER, ...CANDIDATES].find((path) => path && existsSync(path));
-  if (!found) throw new Error("no Chromium here: run `cargo xtask setup`, or name one in ROSTO_BROWSER");
+  if (!found) throw new Error("Chromium not found: run `cargo xtask setup`, or set ROSTO_BROWSER");
   return found;
 }

@@ -3,7 +3,7 @@ import { launch } from "./browser.mjs";
 import { movingVideo } from "./video.mjs";
 import { portraitVideo } from "./pictures.mjs";
 
-/** How each kind of browser is launched; `seen`: whether its screenshots show the 3D view. */
+/** Launch options of each kind of browser; `seen`: screenshots show the 3D view. */
 const KINDS = {
   gpu: () => ({ seen: false }),
   eyes: () => ({ seen: true }),
@@ -18,15 +18,15 @@ const KINDS = {
 /** @typedef {keyof typeof KINDS} Kind */
 /** @typedef {{ browser: import("@playwright/test").Browser, pid: number, seen: boolean }} Open */
 
-/** Time limit for closing a page or a browser: one that takes longer hangs. */
+/** Time limit for closing a page or a browser. */
 const CLOSING_MS = 30_000;
 
-/** Kind of browser that a test's tags ask for. @param {string[]} tags @returns {Kind} */
+/** Kind of browser for a test's tags. @param {string[]} tags @returns {Kind} */
 export function kindFor(tags) {
   return /** @type {Kind} */ (Object.keys(KINDS).find((kind) => tags.includes(`@${kind}`)) ?? "gpu");
 }
 
-/** Browsers of one worker, each launched when it is first needed, and again if it crashed. */
+/** Browsers of one worker, launched when needed and relaunched after a crash. */
 export class Browsers {
   /** @type {Map<Kind, Open>} */
   #open = new Map();
@@ -63,10 +63,10 @@ async function launched(kind) {
   return { browser, pid: processInfo.find(({ type }) => type === "browser").id, seen: options.seen };
 }
 
-/** A browser that hangs is killed. @param {Promise<void>} closing @param {Open | undefined} open */
+/** Kills a browser that hangs while closing. @param {Promise<void>} closing @param {Open | undefined} open */
 async function closeOrKill(closing, open) {
   const isClosed = await Promise.race([closing.then(() => true, () => true), later(CLOSING_MS, false, { ref: false })]);
   if (isClosed || !open?.browser.isConnected()) return;
-  console.log("a browser hung while closing, and was killed");
+  console.log("killed a browser that hung while closing");
   process.kill(open.pid, "SIGKILL");
 }

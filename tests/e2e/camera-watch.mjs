@@ -1,4 +1,4 @@
-/** How often the page asked for the camera, the tracks it was given, and how many of them still run. */
+/** Number of camera requests, of tracks received, and of tracks still live. */
 export function camera({ page }) {
   return page.evaluate(() => {
     const tracks = window.cameraTracks;
@@ -20,7 +20,7 @@ export function watchCamera() {
     window.cameraTracks.push(...stream.getTracks());
     return stream;
   };
-  // As the browser does when the camera is gone: the track stops, and says so.
+  // As when the camera is unplugged: the track stops and fires "ended".
   window.unplugCamera = () => {
     for (const track of window.cameraTracks) {
       track.stop();

@@ -1,23 +1,23 @@
-// Files that were saved on the page, as other programs, other versions or ill will may have changed them.
+// Modifies saved files, as other programs, other versions or attackers might.
 
 const HEADER_BYTES = 12;
 const CHUNK_HEADER_BYTES = 8;
 
-/** A project with another header: the one that `change` returns, or else that it was given and may have changed. */
+/** Replaces a project's header by the value that `change` returns, or by its modified argument. */
 export function changedProject(file, change) {
   const end = file.indexOf("\n");
   const header = JSON.parse(file.subarray(0, end).toString());
   return Buffer.concat([Buffer.from(JSON.stringify(change(header) ?? header)), file.subarray(end)]);
 }
 
-/** A project whose landmarks are all at one place. @param {Buffer} file */
+/** A project whose landmarks all have the same position. @param {Buffer} file */
 export function projectWithoutShape(file) {
   const changed = Buffer.from(file);
   const start = file.indexOf("\n") + 1;
   return changed.fill(0, start, start + 468 * 3 * 4);
 }
 
-/** The JSON of a GLB, and its bytes. @param {Buffer} file */
+/** JSON and binary chunk of a GLB. @param {Buffer} file */
 export function partsOfGlb(file) {
   const length = file.readUInt32LE(HEADER_BYTES);
   const end = HEADER_BYTES + CHUNK_HEADER_BYTES + length;
@@ -35,7 +35,7 @@ export function glbOf({ json, bytes }) {
   return Buffer.concat([header, chunks]);
 }
 
-/** A GLB in which one of the bytes' parts, a view, is another, of whatever length. */
+/** Replaces the bytes of one buffer view, also by a different length. */
 export function withView(parts, view, replacement) {
   let joined = Buffer.alloc(0);
   const bufferViews = parts.json.bufferViews.map((told, place) => {
@@ -47,13 +47,13 @@ export function withView(parts, view, replacement) {
   return glbOf({ json: { ...parts.json, bufferViews, buffers: [{ byteLength: joined.length }] }, bytes: joined });
 }
 
-/** The bytes of one part of a GLB. */
+/** Bytes of one buffer view. */
 export function viewOf({ json, bytes }, view) {
   const { byteOffset = 0, byteLength } = json.bufferViews[view];
   return bytes.subarray(byteOffset, byteOffset + byteLength);
 }
 
-/** A chunk of a GLB: its length, its kind and its bytes, up to a multiple of four. */
+/** A GLB chunk, padded to a multiple of four bytes. */
 function chunk(kind, bytes, by) {
   const body = padded(bytes, by);
   const header = Buffer.from(`\0\0\0\0${kind}`);

@@ -1,15 +1,15 @@
 import { PNG } from "pngjs";
 import { over } from "./boxes.mjs";
 
-/** A person's skin is this much more of one colour than of another, 0 to 255; the page's grounds and shadows are not. */
+/** Skin differs in its channels by at least this much, 0 to 255; the page's backgrounds and shadows do not. */
 const LEAST_COLOUR = 28;
 
-/** The chin is at least this wide, in CSS px: lines, letters and dots are thinner. */
+/** Minimum width of the chin, in CSS px; lines, letters and dots are narrower. */
 const CHIN_PX = 16;
 
 /**
- * What lies over the chin of a face that is seen from the front, and whether all of the face is on the stage. For browsers
- * whose screenshots show the 3D view, and a face painted with its photo.
+ * Elements over the chin of a frontal face, and edges where the face leaves the stage. Needs screenshots of the 3D view
+ * and a face displayed with its photo.
  *
  * @param {import("./visitor.mjs").Visitor} visitor
  * @returns {Promise<string[]>}
@@ -31,7 +31,7 @@ export async function chinFindings({ page }) {
   return found;
 }
 
-/** The longest run of skin in each row of a picture that has one. @param {import("./pixels.mjs").Pixels} pixels */
+/** Longest run of skin in each row. @param {import("./pixels.mjs").Pixels} pixels */
 function rowsOfSkin({ width, height, data }) {
   const rows = [];
   for (let row = 0; row < height; row++) {
@@ -53,7 +53,7 @@ function isSkin(colour) {
   return Math.max(...colour) - Math.min(...colour) >= LEAST_COLOUR;
 }
 
-/** Runs in the page. @param {"" | "hidden"} visibility of all but the 3D view */
+/** Runs in the page. @param {"" | "hidden"} visibility of everything but the 3D view */
 function showOthers(visibility) {
   for (const element of document.querySelectorAll(".stage > :not(.viewport), .panel, #toast, #faces")) element.style.visibility = visibility;
 }

@@ -9,25 +9,25 @@ import { promisify } from "node:util";
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
 
-/** What the page does unless asked otherwise, in the options of `rosto mesh`. */
+/** The page's default edit options, as options of `rosto mesh`. */
 export const AS_THE_PAGE_EDITS = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
 
-/** The mesh that the command line makes of a photo, as JSON. @param {string} photo @param {string[]} options of `rosto mesh` */
+/** The command line's mesh of a photo, as JSON. @param {string} photo @param {string[]} options options of `rosto mesh` */
 export async function meshByCommandLine(photo, options) {
   return JSON.parse((await fileByCommandLine("mesh", photo, "made.json", options)).toString());
 }
 
-/** A GLB that the command line makes of a photo. @param {string} photo @param {string[]} options of `rosto mesh` */
+/** The command line's GLB of a photo. @param {string} photo @param {string[]} options options of `rosto mesh` */
 export function glbByCommandLine(photo, options) {
   return fileByCommandLine("mesh", photo, "made.glb", options);
 }
 
-/** The photo that the command line makes of a photo, as a PNG. @param {string} photo @param {string[]} options of `rosto photo` */
+/** The command line's edited photo, as PNG. @param {string} photo @param {string[]} options options of `rosto photo` */
 export function photoByCommandLine(photo, options) {
   return fileByCommandLine("photo", photo, "made.png", options);
 }
 
-/** What `rosto paper` finds about each operator and constraint on a photo. @param {string} photo @param {string[]} options */
+/** Results of `rosto paper` for each operator and constraint. @param {string} photo @param {string[]} options */
 export async function paperByCommandLine(photo, options) {
   const { code, stdout, said } = await run("paper", photo, ".", options);
   assert.equal(code, 0, said);
@@ -39,7 +39,7 @@ export async function paperByCommandLine(photo, options) {
   });
 }
 
-/** All files that `rosto mesh` makes of a photo, by their names, the first as given, and what it says. There are none where it refuses. */
+/** Files that `rosto mesh` writes, by name, and its output. There are no files if it fails. */
 export function filesByCommandLine(photo, name, options) {
   return run("mesh", photo, name, options);
 }
@@ -51,7 +51,14 @@ async function fileByCommandLine(task, photo, name, options) {
   return files.get(name);
 }
 
-/** Runs the command line in a folder of its own. @param {string} task @param {string} photo @param {string} output @param {string[]} options */
+/**
+ * Runs the command line in a temporary folder.
+ *
+ * @param {string} task
+ * @param {string} photo
+ * @param {string} output
+ * @param {string[]} options
+ */
 async function run(task, photo, output, options) {
   const folder = await mkdtemp(path.join(tmpdir(), "rosto-"));
   const running = promisify(execFile)(program(), [task, photo, "-o", path.join(folder, output), ...options]);
@@ -62,10 +69,10 @@ async function run(task, photo, output, options) {
   return made;
 }
 
-/** The command line itself: as the environment says, or the newest that was built. */
+/** Path of the command line: from ROSTO_CLI, or the newest build. */
 export function program() {
   const built = ["release", "debug"].map((profile) => path.join(TARGET, profile, "rosto")).filter((file) => existsSync(file));
   const [found] = process.env.ROSTO_CLI ? [process.env.ROSTO_CLI] : built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs);
-  if (!found) throw new Error("no `rosto` here: build it, or name it in ROSTO_CLI");
+  if (!found) throw new Error("`rosto` not found: build it, or set ROSTO_CLI");
   return found;
 }

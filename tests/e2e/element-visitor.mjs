@@ -6,7 +6,7 @@ import { watchGpus } from "./watches.mjs";
 
 const SCRIPT = `<script type="module" src="node_modules/rosto/element/rosto-studio.js"></script>`;
 
-/** Tests that arrive at the example, or at another page beside the installed package, which has `body` and a policy. */
+/** Fixtures for the example page, or for a page with a given `body` and policy next to the installed package. */
 export const test = base.extend({
   arrive: async ({ open }, use) => {
     await installed();
@@ -22,7 +22,7 @@ export const test = base.extend({
   },
 });
 
-/** Someone at a page that has the element. */
+/** Drives a page that contains the element. */
 class ElementVisitor {
   /** @param {import("./visitor.mjs").Visitor} visitor */
   constructor(visitor) {
@@ -31,23 +31,28 @@ class ElementVisitor {
     this.element = visitor.page.locator("rosto-studio").first();
   }
 
-  /** Waits for so many events of a type; resolves to what the last one told. @param {string} type @param {number} count */
+  /**
+   * Waits for `count` events of a type; resolves to the detail of the last one.
+   *
+   * @param {string} type
+   * @param {number} count
+   */
   async until(type, count = 1) {
     await this.page.waitForFunction(([type, count]) => window.heard.filter((one) => one.type === type).length >= count, [type, count]);
     return this.last(type);
   }
 
-  /** What the last event of a type told. @param {string} type */
+  /** Detail of the last event of a type. @param {string} type */
   last(type) {
     return this.page.evaluate((type) => window.heard.findLast((one) => one.type === type)?.detail, type);
   }
 
-  /** The types of all events so far. */
+  /** Types of all events so far. */
   names() {
     return this.page.evaluate(() => window.heard.map(({ type }) => type));
   }
 
-  /** Does something with the page's first element. @param {(face: any) => unknown} deed */
+  /** Calls a function with the page's first element. @param {(face: any) => unknown} deed */
   act(deed) {
     return this.element.evaluate(deed);
   }
@@ -56,13 +61,13 @@ class ElementVisitor {
     return this.act((face) => face.state);
   }
 
-  /** The code of what the first element throws. @param {(face: any) => unknown} deed */
+  /** Code of the error that a function throws for the first element. @param {(face: any) => unknown} deed */
   refusal(deed) {
     const face = `document.querySelector("rosto-studio")`;
     return this.page.evaluate(`(async () => { try { await (${deed})(${face}); } catch (error) { return error.code; } })()`);
   }
 
-  /** Hands a file to the page's first element, until it is open. @param {Uint8Array} bytes @param {string} name */
+  /** Opens a file in the page's first element. @param {Uint8Array} bytes @param {string} name */
   openFile(bytes, name) {
     return this.element.evaluate((face, { bytes, name }) => face.open(new File([bytes], name)), { bytes: new Uint8Array(bytes), name });
   }
@@ -76,27 +81,27 @@ class ElementVisitor {
     return Buffer.from(await this.element.evaluate(read, format));
   }
 
-  /** What is said on the stage. */
+  /** Notice on the stage. */
   async notice() {
     const notice = this.element.locator(".notice");
     return (await notice.isVisible()) ? notice.innerText() : "";
   }
 
-  /** Takes what lies in the middle of the element by the mouse, and moves it. @param {{ x: number, y: number }} by */
+  /** Drags from the middle of the element. @param {{ x: number, y: number }} by */
   async dragMiddle(by) {
     const box = await this.element.boundingBox();
     await this.visitor.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, by);
     await this.page.mouse.move(1, 1);
   }
 
-  /** The element's pixels at rest. */
+  /** Pixels of the element at rest. */
   async view() {
     await this.visitor.frames(5);
     return PNG.sync.read(await this.element.screenshot());
   }
 }
 
-/** Runs in the page before it: remembers what elements tell. */
+/** Runs in the page: records the elements' events. */
 function listen() {
   window.heard = [];
   for (const type of ["rosto-ready", "rosto-face", "rosto-change", "rosto-error"]) {

@@ -1,5 +1,5 @@
-// The core walk and the element's in every engine, by WebGL2: node tests/e2e/engines.mjs [ENGINE…]. Screenshots go to
-// target/engines.
+// Runs the core scenario and the element's in each browser engine, with WebGL2: node tests/e2e/engines.mjs [ENGINE…]
+// Screenshots go to target/engines.
 import { mkdir } from "node:fs/promises";
 import path from "node:path";
 import { error as errors } from "selenium-webdriver";
@@ -9,7 +9,9 @@ import { installed, SITE } from "./package.mjs";
 import { DIST, serve } from "./server.mjs";
 
 const PICTURES = path.resolve(import.meta.dirname, "../../target/engines");
-/** Launches per engine. WebKitGTK 2.50 sometimes crashes in its WebAssembly interpreter; a second crash fails the test. */
+/**
+ * Launches per engine. WebKitGTK 2.50 sometimes crashes in its WebAssembly interpreter; a second crash fails the test.
+ */
 const MOST_LAUNCHES = 2;
 
 const wanted = process.argv.slice(2);
@@ -37,7 +39,7 @@ async function visit(name) {
       console.log(`✓ ${browser.version}, drawn by ${drawnBy} (${((performance.now() - started) / 1000).toFixed(0)} s)`);
       return true;
     } catch (error) {
-      // A driver whose browser has crashed reports its session as unknown.
+      // After a crash of the browser, the driver reports an unknown session.
       const willRetry = error instanceof errors.NoSuchSessionError && launch < MOST_LAUNCHES;
       console.log(willRetry ? `${name} crashed; launching it again` : `✗ ${name}: ${error.stack}`);
       if (willRetry) continue;

@@ -4,16 +4,16 @@ import { DIST, serve } from "./server.mjs";
 import { storedProject } from "./stored-project.mjs";
 import { Visitor } from "./visitor.mjs";
 
-/** Hosts may serve the page below a path of their own. */
+/** Path prefix, as on hosts that serve the page below the root. */
 const BELOW = "/some/where/";
 
 /**
  * Tests of the page. Tags choose the browser: `@eyes` (screenshots show the 3D view), `@webgl`, `@no-gpu`, `@camera`,
- * `@moving-camera` (plays the film of video-frames.mjs), `@seen-camera` (both of the former), `@way-back` (keeps the pages that are left).
- * `@rare` tests are left out of the usual run.
+ * `@moving-camera` (plays the video of video-frames.mjs), `@seen-camera` (both `@eyes` and `@moving-camera`),
+ * `@way-back` (with back/forward cache). The default run excludes `@rare` tests.
  */
 export const test = base.extend({
-  /** Browsers of this worker, each launched when a test first needs it. */
+  /** Browsers of this worker, launched when a test needs them. */
   browsers: [
     // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the dependencies here
     async ({}, use) => {
@@ -38,7 +38,7 @@ export const test = base.extend({
     server.close();
   },
 
-  /** How a visitor arrives: the options of {@link Visitor.arrive}, and an `url`. */
+  /** Options of {@link Visitor.arrive}, and an optional `url`. */
   visit: [{}, { option: true }],
 
   /** Opens the page in a new browser context. */
@@ -74,11 +74,11 @@ export const test = base.extend({
 });
 
 /**
- * Similar cases: the usual run takes the first, each other is rare.
+ * Pairs similar cases with tags: the first one runs by default, the others are rare.
  *
  * @template T
  * @param {readonly T[]} cases
- * @returns {[T, string[]][]} each with its tags
+ * @returns {[T, string[]][]}
  */
 export function alike(cases) {
   return cases.map((one, place) => [one, place === 0 ? [] : ["@rare"]]);

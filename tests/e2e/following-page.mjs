@@ -1,13 +1,13 @@
-// What the end-to-end tests of following do in the page: they bring it this file and drive the page's side of the worker with it.
+// Runs in the page: drives a VisionClient for the tests of face tracking.
 import { numberOf } from "./video-frames.mjs";
 
 /**
- * A frame of the film that was answered; `answersMeanwhile` to others, since it was handed over.
+ * An answered camera frame; `answersMeanwhile`: answers to other frames since it was sent.
  *
  * @typedef {{ number: number, landmarks_px: number[][] | undefined, answersMeanwhile: number }} Seen
  */
 
-/** The page's side of the worker, loaded; another one than the page's own. */
+/** A loaded VisionClient, separate from the page's own. */
 export async function client() {
   const { VisionClient } = await import(new URL("js/photo/vision-client.js", document.baseURI).href);
   const client = new VisionClient();
@@ -16,7 +16,7 @@ export async function client() {
   return client;
 }
 
-/** Follows the camera for a while, every frame of it handed over as soon as it is there. @param {number} duration_ms */
+/** Tracks the camera for a while; sends each frame as soon as it arrives. @param {number} duration_ms */
 export async function watch(duration_ms) {
   const vision = await client();
   const video = document.createElement("video");
@@ -43,7 +43,7 @@ export async function watch(duration_ms) {
 const canvas = new OffscreenCanvas(1, 1);
 const context = canvas.getContext("2d", { willReadFrequently: true });
 
-/** @param {import("../../web/js/worker/protocol.js").Followed} followed */
+/** @param {import("../../web/js/worker/protocol.js").FollowedFrame} followed */
 function whatIsOn({ frame, landmarks, width_px, height_px }) {
   Object.assign(canvas, { width: width_px, height: height_px });
   context.drawImage(frame, 0, 0);

@@ -11,12 +11,17 @@ export async function openGroup(visitor, name = "group.png") {
   await visitor.untilFace();
 }
 
-/** Chooses a face of the group. @param {Visitor} visitor @param {number} index in the strip */
+/**
+ * Chooses a face of the group by its index in the strip.
+ *
+ * @param {Visitor} visitor
+ * @param {number} index in the strip
+ */
 export function chooseFace({ page }, index) {
   return page.locator("#face-options input").nth(index).click({ force: true });
 }
 
-/** Opens a photo that gives another mesh than the sample. @param {Visitor} visitor @param {string} name */
+/** Opens a photo whose mesh differs from the sample's. @param {Visitor} visitor @param {string} name */
 export async function openOther(visitor, name = "other.jpg") {
   await visitor.drop(await asJpeg(visitor.page, await readFile(SAMPLE), { width: 640, height: 480 }), name);
   await visitor.untilFace();

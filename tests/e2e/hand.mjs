@@ -1,11 +1,10 @@
-/** @typedef {{ x: number, y: number }} Place in CSS px of the window */
 
 const STEPS = 6;
 
 /** @type {WeakMap<import("@playwright/test").Page, ReturnType<typeof mouse> | ReturnType<typeof finger>>} */
 const HANDS = new WeakMap();
 
-/** What a visitor points with: a finger where the window takes one, else the mouse. It may stay down for as long as it likes. */
+/** Touch on windows with a coarse pointer, otherwise the mouse. It can stay pressed between calls. */
 export const Hand = {
   /** @param {import("./visitor.mjs").Visitor} visitor */
   async of({ page }) {

@@ -1,4 +1,4 @@
-/** Holds a file back from a page until `deliver` is called. @param {string} file */
+/** Delays a file until `deliver` is called. @param {string} file */
 export function withHeld(file) {
   let deliver = () => {};
   const held = new Promise((resolve) => (deliver = () => resolve(undefined)));

@@ -1,4 +1,4 @@
-// Draws the icons of the installed page, web/icons/*.png, from the one in SVG. Run it when that one changes.
+// Draws web/icons/*.png from the SVG icon. Run it after changes to the SVG.
 import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { launch } from "./browser.mjs";
@@ -9,7 +9,7 @@ const svg = await readFile(path.join(ICONS, "rosto.svg"), "utf8");
 const browser = await launch();
 for (const side_px of [192, 512]) {
   const page = await browser.newPage({ viewport: { width: side_px, height: side_px } });
-  // Square to the edge: systems cut the corners themselves.
+  // Square corners: systems round icons themselves.
   const square = svg.replace('rx="14"', "").replace("<svg ", `<svg width="${side_px}" height="${side_px}" style="display:block" `);
   await page.setContent(`<body style="margin:0">${square}</body>`);
   await writeFile(path.join(ICONS, `rosto-${side_px}.png`), await page.screenshot());

@@ -2,7 +2,11 @@ import { expect } from "@playwright/test";
 
 /** @typedef {{ slot: string, name: string | undefined, isHeld: boolean, edits: string, order: number }} Kept */
 
-/** Works in the browser's database that have a face, and whether a tab has each open. @returns {Promise<Kept[]>} */
+/**
+ * Saved works in the browser's database that have a face, and whether a tab holds the lock of each.
+ *
+ * @returns {Promise<Kept[]>}
+ */
 export function keptWorks(page) {
   return page.evaluate(async () => {
     const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
@@ -20,10 +24,10 @@ export function keptWorks(page) {
 }
 
 /**
- * Changes what the browser's database has.
+ * Changes the browser's database.
  *
  * @param {import("@playwright/test").Page} page
- * @param {((stores: Record<"faces" | "done", IDBObjectStore>) => unknown) | string} change runs in the page, by its source
+ * @param {((stores: Record<"faces" | "done", IDBObjectStore>) => unknown) | string} change function or its source, runs in the page
  */
 export function changeKept(page, change) {
   return page.evaluate(`(${inDatabase})(${change})`);
@@ -39,7 +43,10 @@ async function inDatabase(change) {
   database.close();
 }
 
-/** Waits until the database has all that was done on a page, and at least `count` works. The page writes as soon as it is hidden. */
+/**
+ * Waits until the database contains the page's current work, and at least `count` works. The page saves when it is
+ * hidden.
+ */
 export async function untilKept(page, count = 1) {
   const unkept = await page.evaluate(hide);
   await expect(async () => {
@@ -49,7 +56,7 @@ export async function untilKept(page, count = 1) {
   }).toPass({ timeout: 20_000 });
 }
 
-/** Runs in the page. @returns the work as it has to be kept; nothing if it is kept already */
+/** Runs in the page. @returns the work to be saved; undefined if it is saved already */
 function hide() {
   const before = { ...localStorage };
   Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });

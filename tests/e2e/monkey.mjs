@@ -1,6 +1,6 @@
-// A monkey test of the built page by fast-check: node tests/e2e/monkey.mjs [--runs N] [--actions MOST] [--seed S]
-// [--path P] [--replay R]. Two lanes share the runs where the machine has two cores. A failure is shrunk and printed with its seed,
-// path and replay path, which repeat it.
+// Monkey test of the built page: node tests/e2e/monkey.mjs [--runs N] [--actions MAX] [--seed S] [--path P] [--replay R].
+// On two cores, two lanes share the runs. fast-check shrinks a failure and prints the seed, path and replay path that
+// reproduce it.
 import { availableParallelism } from "node:os";
 import { parseArgs } from "node:util";
 import fc from "fast-check";
@@ -11,9 +11,9 @@ import { DIST, serve } from "./server.mjs";
 
 const SHRINKING_MS = 300_000;
 
-/** @typedef {{ runs: number, actions: number, seed: number, path?: string, replay?: string }} Amount `actions`: the most in one run */
+/** @typedef {{ runs: number, actions: number, seed: number, path?: string, replay?: string }} Amount `actions`: maximum per run */
 
-/** @param {Amount} amount @returns {Promise<number>} the actions that were done */
+/** @param {Amount} amount @returns {Promise<number>} number of actions performed */
 export async function monkeyTest({ runs, actions, seed, path, replay }) {
   const server = await serve(DIST, "/some/where/");
   const video = await portraitVideo();

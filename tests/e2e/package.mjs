@@ -8,13 +8,13 @@ const run = promisify(execFile);
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const BUILT = path.join(ROOT, "target/npm/rosto");
 
-/** A folder whose page is the example, beside the package as npm installs it from its tarball. */
+/** Folder with the example page, next to the package as installed by npm. */
 export const SITE = path.join(ROOT, "target/npm/site");
 
 /** @type {Promise<void> | undefined} */
 let installing;
 
-/** Builds the package, packs it, and installs it in {@link SITE} where nothing else is; once in a run. */
+/** Builds, packs and installs the package into {@link SITE}, once per run. */
 export const installed = () => (installing ??= install());
 
 async function install() {
@@ -28,7 +28,7 @@ async function install() {
   await cp(SAMPLE, path.join(SITE, "portrait.png"));
 }
 
-/** Complaints of tsc about a module that uses the installed package. @param {string} name @param {string} text @param {string[]} options */
+/** Output of tsc for a module that uses the installed package. @param {string} name @param {string} text @param {string[]} options */
 export async function complaints(name, text, options) {
   await installed();
   await writeFile(path.join(SITE, name), text);

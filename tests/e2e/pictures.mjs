@@ -5,13 +5,13 @@ import { PNG } from "pngjs";
 import { crc32 } from "node:zlib";
 import { SAMPLE } from "./visitor.mjs";
 
-/** The head in the sample portrait, px. */
+/** Bounds of the head in the sample portrait, px. */
 const FACE_IN_PORTRAIT = { x: 110, y: 10, width: 220, height: 220 };
 
-/** The upper part of the sample portrait in a camera's proportions, px. */
+/** Upper part of the sample portrait in a camera's aspect ratio, px. */
 const UPPER_PART = { x: 0, y: 0, width: 512, height: 384 };
 
-/** A picture in which nobody would find a face. */
+/** A picture without a face. */
 export function faceless() {
   const png = new PNG({ width: 320, height: 240 });
   for (let i = 0; i < png.data.length; i += 4) {
@@ -21,7 +21,7 @@ export function faceless() {
   return PNG.sync.write(png);
 }
 
-/** The same picture with dots on it. @param {Uint8Array} png @param {{ x: number, y: number, colour: number[] }[]} dots in px */
+/** Draws dots on a picture. @param {Uint8Array} png @param {{ x: number, y: number, colour: number[] }[]} dots in px */
 export function dotted(png, dots, radius_px) {
   const picture = PNG.sync.read(Buffer.from(png));
   for (let at = 0; at < picture.data.length; at += 4) {
@@ -32,17 +32,17 @@ export function dotted(png, dots, radius_px) {
   return PNG.sync.write(picture);
 }
 
-/** A text file; its name will say JPEG. */
+/** A text file, to be named .jpg. */
 export function text() {
   return Buffer.from("Dear diary, today I was renamed to a photo.\n".repeat(40));
 }
 
-/** The beginning of what an iPhone writes unless told otherwise. */
+/** Start of a HEIC file as written by an iPhone. */
 export function heic() {
   return Buffer.concat([Buffer.from("\0\0\0\x18ftypheic\0\0\0\0mif1heic", "latin1"), Buffer.alloc(200)]);
 }
 
-/** A PNG whose header promises 20 000 × 20 000 px, followed by the data of one. */
+/** A PNG whose header declares 20 000 × 20 000 px. */
 export function enormousPng() {
   const png = PNG.sync.write(new PNG({ width: 1, height: 1 }));
   png.writeUInt32BE(20_000, 16);
@@ -51,24 +51,29 @@ export function enormousPng() {
   return png;
 }
 
-/** @typedef {import("@playwright/test").Page} Page its browser draws */
+/** @typedef {import("@playwright/test").Page} Page draws the picture */
 
-/** The photo as a JPEG; with a size in px, only the portrait's upper part. @param {Page} page @param {Uint8Array} png */
+/**
+ * Encodes the photo as JPEG; with a size in px, crops it to the portrait's upper part.
+ *
+ * @param {Page} page
+ * @param {Uint8Array} png
+ */
 export function asJpeg(page, png, size) {
   return redraw(page, png, { type: "image/jpeg", size, part: size && UPPER_PART });
 }
 
-/** Twice the same face side by side, cut out of the portrait. @param {Page} page @param {Uint8Array} png */
+/** The same face twice, side by side. @param {Page} page @param {Uint8Array} png */
 export function twice(page, png) {
   return redraw(page, png, { columns: 2, part: FACE_IN_PORTRAIT });
 }
 
-/** Six times the same face, in two rows. @param {Page} page @param {Uint8Array} png */
+/** The same face six times, in two rows. @param {Page} page @param {Uint8Array} png */
 export function sixTimes(page, png) {
   return redraw(page, png, { columns: 3, rows: 2, part: FACE_IN_PORTRAIT });
 }
 
-/** So out of focus that a face is hard to tell. @param {Page} page @param {Uint8Array} png */
+/** Blurred so that detection is uncertain. @param {Page} page @param {Uint8Array} png */
 export function outOfFocus(page, png) {
   return redraw(page, png, { filter: "blur(5px)" });
 }
@@ -95,7 +100,7 @@ async function redraw(page, png, how) {
   return Buffer.from(bytes);
 }
 
-/** The file of a film of the sample portrait, for a fake camera to play. */
+/** A .y4m video of the sample portrait for a fake camera. */
 export async function portraitVideo() {
   const picture = PNG.sync.read(await readFile(SAMPLE));
   const header = Buffer.from(`YUV4MPEG2 W${picture.width} H${picture.height} F25:1 Ip A1:1 C420\n`);
@@ -104,7 +109,11 @@ export async function portraitVideo() {
   return file;
 }
 
-/** A frame of a .y4m, in YUV 4:2:0. @param {{ width: number, height: number, data: Uint8Array | Uint8ClampedArray }} picture RGBA */
+/**
+ * A frame of a .y4m file in YUV 4:2:0.
+ *
+ * @param {{ width: number, height: number, data: Uint8Array | Uint8ClampedArray }} picture RGBA
+ */
 export function yuvOf({ width, height, data }) {
   const luma = Buffer.alloc(width * height);
   const blue = Buffer.alloc((width / 2) * (height / 2));

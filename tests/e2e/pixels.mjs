@@ -1,5 +1,5 @@
 /** @typedef {{ width: number, height: number, data: Uint8Array }} Pixels RGBA */
-/** @typedef {{ left: number, top: number, right: number, bottom: number }} Box in shares of the picture's size */
+/** @typedef {{ left: number, top: number, right: number, bottom: number }} Box as fractions of the picture's size */
 
 /** Mean colour of a box, each channel 0 to 255. @param {Pixels} pixels @param {Box} box */
 export function meanColour(pixels, box) {
@@ -15,19 +15,25 @@ export function meanColour(pixels, box) {
   return sum.map((total) => total / count);
 }
 
-/** The largest step between the mean colours of a box in two pictures, 0 to 255. @param {Pixels} a @param {Pixels} b @param {Box} box */
+/**
+ * Maximum difference between the mean colours of a box in two pictures, 0 to 255.
+ *
+ * @param {Pixels} a
+ * @param {Pixels} b
+ * @param {Box} box
+ */
 export function meanStep(a, b, box) {
   const other = meanColour(b, box);
   return Math.max(...meanColour(a, box).map((level, channel) => Math.abs(level - other[channel])));
 }
 
-/** A colour without its brightness: shares of red, green and blue that sum to 1. @param {number[]} colour */
+/** Chromaticity: shares of red, green and blue that sum to 1. @param {number[]} colour */
 export function chromaticity(colour) {
   const sum = colour.reduce((a, b) => a + b);
   return colour.map((channel) => channel / sum);
 }
 
-/** Share of the pixels in which two pictures of one size differ by more than a little. @param {Pixels} a @param {Pixels} b */
+/** Share of pixels in which two pictures of the same size differ noticeably. @param {Pixels} a @param {Pixels} b */
 export function difference(a, b) {
   if (a.width !== b.width || a.height !== b.height) throw new Error("the pictures differ in size");
   let changed = 0;
@@ -38,13 +44,18 @@ export function difference(a, b) {
   return changed / (a.width * a.height);
 }
 
-/** The largest step between any channel of two pictures of one size. @param {Pixels} a @param {Pixels} b */
+/** Maximum difference between any channel of two pictures of the same size. @param {Pixels} a @param {Pixels} b */
 export function largestStep(a, b) {
   if (a.width !== b.width || a.height !== b.height) throw new Error("the pictures differ in size");
   return a.data.reduce((most, value, at) => Math.max(most, Math.abs(value - b.data[at])), 0);
 }
 
-/** The box, in px, outside of which two pictures of one size are the same. @param {Pixels} a @param {Pixels} b */
+/**
+ * Bounding box, in px, of the differences between two pictures of the same size.
+ *
+ * @param {Pixels} a
+ * @param {Pixels} b
+ */
 export function differingBox(a, b) {
   const box = { left: a.width, top: a.height, right: 0, bottom: 0 };
   for (let at = 0; at < a.data.length; at += 4) {
@@ -58,7 +69,7 @@ export function differingBox(a, b) {
   return box;
 }
 
-/** How many different colours there are, of 4096: 1 or 2 in a blank picture. @param {Pixels} pixels */
+/** Number of different colours, of 4096; 1 or 2 for a blank picture. @param {Pixels} pixels */
 export function colourCount(pixels) {
   const seen = new Set();
   for (let at = 0; at < pixels.data.length; at += 4) {
@@ -67,12 +78,22 @@ export function colourCount(pixels) {
   return seen.size;
 }
 
-/** The difference within `reach_px` of a place in px. @param {Pixels} a @param {Pixels} b @param {{ x: number, y: number }} place */
+/**
+ * Difference within `reach_px` of a position in px.
+ *
+ * @param {Pixels} a
+ * @param {Pixels} b
+ * @param {{ x: number, y: number }} place
+ */
 export function differenceNear(a, b, place, reach_px) {
   return difference(around(a, place, reach_px), around(b, place, reach_px));
 }
 
-/** The middle, in px, of all pixels whose channels are within `most` of a colour; NaN if there are none. @param {Pixels} pixels */
+/**
+ * Centre, in px, of the pixels whose channels are within `most` of a colour; NaN if there are none.
+ *
+ * @param {Pixels} pixels
+ */
 export function middleOf({ width, data }, colour, most) {
   const sum = { x: 0, y: 0, count: 0 };
   for (let at = 0; at < data.length; at += 4) {
@@ -84,7 +105,7 @@ export function middleOf({ width, data }, colour, most) {
   return { x: sum.x / sum.count, y: sum.y / sum.count };
 }
 
-/** How many pixels have about the light theme's accent. @param {Pixels} pixels */
+/** Number of pixels close to the light theme's accent colour. @param {Pixels} pixels */
 export function accentPixels({ data }) {
   let count = 0;
   for (let at = 0; at < data.length; at += 4) {

@@ -5,12 +5,12 @@ import { SAMPLE } from "./visitor.mjs";
 
 const LOCAL_FILE = 0x04034b50;
 
-/** What the page has and the command line does not by itself. */
+/** Options that make the command line write what the page does. */
 export const AS_THE_PAGE = ["--topology", "canonical", "--units", "mm"];
 
 /**
- * Opens the sample with the landmarks that the command line finds in it, bit for bit. The two compilations of the networks
- * round differently; from there on, the same pixels and the same edits give the same bytes.
+ * Opens the sample with the landmarks of the command line, bit for bit. The native and wasm builds of the networks round
+ * differently; after that, equal pixels and edits give equal bytes.
  *
  * @param {import("./visitor.mjs").Visitor} visitor
  */
@@ -19,7 +19,7 @@ export async function openAsCommandLine(visitor) {
   await visitor.untilFace();
 }
 
-/** The same as a project. @param {Buffer} project of the page's */
+/** A project with the command line's landmarks. @param {Buffer} project saved by the page */
 export async function projectAsCommandLine(project) {
   const { landmarks, colours, lens } = partsOfGlb(await glbByCommandLine(SAMPLE, AS_THE_PAGE)).json.scenes[0].extras;
   const face = Buffer.concat([landmarks, colours].map((text) => Buffer.from(text, "base64")));
@@ -30,7 +30,7 @@ export async function projectAsCommandLine(project) {
   return Buffer.concat([changed.subarray(0, start), face, changed.subarray(start + face.length)]);
 }
 
-/** The files in an archive that is not compressed, by their names. @param {Buffer} zip @returns {Map<string, Buffer>} */
+/** Files of an uncompressed archive by name. @param {Buffer} zip @returns {Map<string, Buffer>} */
 export function storedFiles(zip) {
   const files = new Map();
   for (let at = 0; zip.readUInt32LE(at) === LOCAL_FILE; ) {

@@ -19,14 +19,13 @@ const TYPES = {
 };
 
 /**
- * Serves a folder below a path of its own, as a static host would, until it is disturbed. Whatever is answered has the
- * headers that the folder's own file for hosts asks for.
+ * Serves a folder below a path, with the headers of its `_headers` file, as a static host does.
  *
- * @typedef {(name: string, response: import("node:http").ServerResponse) => boolean} Disturbance is told the file that is
- *   asked for, "" for the page, and whether it takes charge of the answer it returns
+ * @typedef {(name: string, response: import("node:http").ServerResponse) => boolean} Disturbance handles a request for a
+ *   file ("" for the page); returns true if it answers the request itself
  *
  * @param {string} folder
- * @param {string} below such as "/some/path/"
+ * @param {string} below for example "/some/path/"
  */
 export async function serve(folder, below) {
   /** @type {Disturbance | undefined} */
@@ -46,9 +45,9 @@ export async function serve(folder, below) {
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   return {
-    /** @param {Disturbance} [by] nothing ends it */
+    /** @param {Disturbance} [by] undefined restores normal service */
     disturb: (by) => (disturbance = by),
-    /** @param {string} next is served from now on */
+    /** @param {string} next folder to serve from now on */
     deploy: (next) => (served = next),
     url: `http://127.0.0.1:${server.address().port}${below}`,
     close: () => {
@@ -59,7 +58,7 @@ export async function serve(folder, below) {
 }
 
 /**
- * What `_headers` says of every file; a folder without one is served with nothing but the cache rule.
+ * Headers that `_headers` sets for all files; without that file, only the cache rule.
  *
  * @param {string} folder
  * @returns {Promise<[name: string, value: string][]>}

@@ -7,18 +7,18 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-/** What a 12-megapixel camera takes. */
+/** Size of a 12-megapixel photo. */
 const LARGE = { width: 4000, height: 3000 };
 const LONG_TASK_MS = 50;
-/** What a screen of 60 Hz leaves for a frame. */
+/** Time per frame at 60 Hz. */
 const FRAME_MS = 16;
 const DRAG_STEPS = 40;
-/** How many tasks are told. */
+/** Number of tasks to print. */
 const SHOWN = 5;
-test("no task on the main thread is long from a drop of 12 megapixels to the mesh", { tag: "@eyes" }, async ({ visitor, page }) => {
+test("no main-thread task is long between the drop of a 12-megapixel photo and its mesh", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   const photo = await asJpeg(page, await readFile(SAMPLE), LARGE);
-  // The photo is on the page before the clock starts: in life it comes from a disk, not through a test's wire.
+  // The photo is in the page before the trace starts, to exclude the transfer from the test.
   await page.evaluate((bytes) => {
     globalThis.dropped = new DataTransfer();
     globalThis.dropped.items.add(new File([bytes], "large.jpg"));
@@ -28,7 +28,7 @@ test("no task on the main thread is long from a drop of 12 megapixels to the mes
   const events = await traced(page, async () => {
     await page.evaluate(() => dispatchEvent(new DragEvent("drop", { dataTransfer: globalThis.dropped, bubbles: true, cancelable: true })));
     await visitor.untilFace();
-    // Half a second more, in which the face is stored for the next visit.
+    // Includes the autosave of the face, half a second later.
     await visitor.frames(30);
   });
   const tasks = mainThreadTasks(events);
@@ -37,7 +37,7 @@ test("no task on the main thread is long from a drop of 12 megapixels to the mes
   assert.ok(longest && longest.took_ms <= LONG_TASK_MS, `a task took ${longest?.took_ms.toFixed(0)} ms`);
 });
 
-test("each step of a drag takes the main thread less than a frame, on the densest mesh, too", { tag: "@eyes" }, async ({ visitor, page }) => {
+test("each drag step takes less than a frame on the main thread, also on the densest mesh", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   for (const density of ["0", "3"]) {
     await page.selectOption("#density", density, { force: true });

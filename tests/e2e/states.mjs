@@ -9,7 +9,7 @@ import { SAMPLE } from "./visitor.mjs";
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
 
 /**
- * A state of the page that its visitors know, and the way there from any one before it in the list that has a face.
+ * A state of the page that can be reached from each state before it in the list that has a face.
  *
  * @typedef {object} State
  * @property {string} id
@@ -39,13 +39,13 @@ export const STATES = [
   { id: "returning", enter: comeBack },
 ];
 
-/** Lets the worker's answer be held back; for `before` of a visitor. @param {import("@playwright/test").BrowserContext} context */
+/** Allows the worker's reply to be delayed; pass it as `before`. @param {import("@playwright/test").BrowserContext} context */
 export function withHeldWork(context) {
   return context.addInitScript(holdAnswers);
 }
 
 /**
- * What is wrong with a state as it stands: its boxes, and a notice where none belongs.
+ * Problems of the current state: layout findings, and an unexpected notice.
  *
  * @param {Visitor} visitor
  * @param {State} state
@@ -57,7 +57,7 @@ export async function wrongWith({ page }, { id }) {
   return [...(isStray ? [`a notice: ${await notice.getAttribute("data-code")}`] : []), ...(await findings(page))];
 }
 
-// Ways into and out of the states.
+// Transitions into and out of the states.
 
 async function startWork(visitor) {
   const { page } = visitor;
@@ -73,7 +73,7 @@ async function finishWork(visitor) {
   await visitor.untilFace();
 }
 
-/** Runs in the page before its own scripts: a worker's findings wait for as long as the page is told so. */
+/** Runs in the page before its own scripts: delays the worker's replies while `answersWait` is set. */
 function holdAnswers() {
   /** @type {(() => void)[]} */
   const held = [];
@@ -98,7 +98,7 @@ async function haveFace(visitor) {
 
 async function selectNose(visitor) {
   await openTab(visitor, "shape");
-  // Its number is its name in every language.
+  // The number works in each language.
   await visitor.findLandmark("1");
   await blur(visitor);
 }

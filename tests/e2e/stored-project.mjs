@@ -7,7 +7,7 @@ import { Visitor } from "./visitor.mjs";
 const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(import.meta.dirname, "../../target");
 
 /**
- * The sample portrait as a project, which the page itself saves once for each of its versions.
+ * The sample portrait as a project, saved by the page once per version.
  *
  * @param {() => Promise<import("@playwright/test").Browser>} launch
  */
@@ -21,7 +21,7 @@ export async function storedProject(launch) {
   const project = await visitor.download("save-project");
   await visitor.leave();
   server.close();
-  // Another worker may write the same file: it gets its name when it is whole.
+  // Another worker may write the same file, so rename it when complete.
   const unfinished = `${file}.${process.pid}`;
   await mkdir(path.dirname(file), { recursive: true });
   await writeFile(unfinished, project);

@@ -1,16 +1,16 @@
-// What the browser's own trace says of the page's main thread.
+// Reads the browser's trace of the page's main thread.
 
-/** What the trace lays around every task. */
+/** Events that wrap each task. */
 const WRAPPERS = new Set(["RunTask", "ThreadControllerImpl::RunTask", "ThreadPool_RunTask"]);
 const CATEGORIES = ["toplevel", "devtools.timeline", "disabled-by-default-devtools.timeline"];
 
 /**
  * @typedef {{ name: string, ph: string, pid: number, tid: number, ts: number, dur: number, tdur: number, args: { name?: string } }} Event
- *   of a trace, times in µs
+ *   trace event, times in µs
  */
 
 /**
- * The events of a trace while something is done.
+ * Records a trace while `act` runs.
  *
  * @param {import("@playwright/test").Page} page
  * @param {() => Promise<void>} act
@@ -24,8 +24,7 @@ export async function traced(page, act) {
 }
 
 /**
- * The tasks of the page's main thread, the longest first, by processor time, so that what else the machine does is left
- * out; with what took the most in each.
+ * Tasks of the page's main thread, longest first, with their longest parts. Uses CPU time, which excludes other load.
  *
  * @param {Event[]} events
  */
@@ -38,7 +37,7 @@ export function mainThreadTasks(events) {
   return tasks.map((task) => ({ took_ms: task.tdur / 1000, held: partsOf(task, timed) }));
 }
 
-/** What a task held, as the browser's own trace names it. @param {Event} task @param {Event[]} events the longest first */
+/** Longest parts of a task. @param {Event} task @param {Event[]} events longest first */
 function partsOf(task, events) {
   const within = events.filter(({ ts, dur, tid, name }) =>
     tid === task.tid && ts >= task.ts && ts + dur <= task.ts + task.dur && !WRAPPERS.has(name));

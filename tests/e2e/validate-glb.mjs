@@ -1,5 +1,5 @@
-// Khronos' glTF validator over files: node tests/e2e/validate-glb.mjs FILE.glb...
-// Passes only if no file draws an error, a warning, an information or a hint.
+// Validates files with Khronos' glTF validator: node tests/e2e/validate-glb.mjs FILE.glb...
+// Fails if a file has an error, warning, information or hint.
 import { readFile } from "node:fs/promises";
 import validator from "gltf-validator";
 

@@ -1,56 +1,65 @@
-// A film of the sample portrait's head before a ground that rests, frame by frame; for pages and for Node alike, so that
-// whoever follows the film anywhere sees the same pixels.
+// A video of the sample portrait's head over a still background, frame by frame. Works in pages and in Node, so that both
+// get the same pixels.
 
 export const WIDTH_PX = 640;
 export const HEIGHT_PX = 480;
 export const FRAMES_PER_S = 30;
 
-/** The middle of the face in the portrait, and the head with little around it, px. */
+/** Centre of the face in the portrait, and the box around the head, px. */
 const MIDDLE = [224, 124];
 const HEAD = { left: 124, top: 0, right: 323, bottom: 235 };
 
-/** What a camera adds to each value, of 255, up and down. */
+/** Amplitude of the camera noise, of 255. */
 const NOISE = 8;
 
-/** So many frames the face rests, before it moves. */
+/** Number of frames before the face moves. */
 export const STILL_FRAMES = 60;
 export const SPEED_PX_S = 200;
-/** The face goes so far to the right and to the left of the middle. */
+/** Maximum distance of the face from the centre. */
 const REACH_PX = 100;
-/** There and back again takes so long. */
+/** Number of frames of one period. */
 export const FRAMES = STILL_FRAMES + Math.round((4 * REACH_PX * FRAMES_PER_S) / SPEED_PX_S);
 
-/** The frame's number in its corner, as squares: black for 0, white for 1, the smallest first. */
+/** Squares in the corner that encode the frame's number: black for 0, white for 1, least significant bit first. */
 const SQUARE = { side_px: 24, apart_px: 32, left_px: 8, top_px: 448, count: 8 };
 
 /**
- * Where the face lies: `frame = at + scale · R(degrees) · (portrait − MIDDLE)`, the middles of pixels being whole numbers.
+ * Pose of the face: `frame = at + scale · R(degrees) · (portrait − MIDDLE)`, with integer coordinates at pixel centres.
  *
  * @typedef {{ x: number, y: number, scale: number, degrees: number }} Place
  */
 /** @typedef {{ width: number, height: number, data: ArrayLike<number> }} Picture RGBA */
 
-/** In the film for the camera: at rest, then to the right, to the left and back at one speed, without a seam. @returns {Place} */
+/**
+ * Pose in the camera's video: at rest, then right, left and back at constant speed; the video loops seamlessly.
+ *
+ * @returns {Place}
+ */
 export function placeIn(number) {
   const way = Math.max(0, (number % FRAMES) - STILL_FRAMES) * (SPEED_PX_S / FRAMES_PER_S);
   const aside = way < REACH_PX ? way : way < 3 * REACH_PX ? 2 * REACH_PX - way : way - 4 * REACH_PX;
   return { x: WIDTH_PX / 2 + aside, y: HEIGHT_PX / 2, scale: 1.6, degrees: 0 };
 }
 
-/** px per frame to the right in that film, 0 where it turns. @param {number} number */
+/** Speed to the right in px per frame; 0 where the motion turns. @param {number} number */
 export function speedIn(number) {
   const [before, here, after] = [number - 1, number, number + 1].map((each) => placeIn((each + FRAMES) % FRAMES).x);
   return Math.abs(here - before - (after - here)) < 1e-6 ? here - before : 0;
 }
 
-/** Where a point of the portrait, px, is in a frame. @param {Place} place @param {number[]} point x, y */
+/** Maps a point of the portrait, px, to a frame. @param {Place} place @param {number[]} point x, y */
 export function carried({ x, y, scale, degrees }, [px, py]) {
   const [cos, sin] = turn(degrees);
   const [dx, dy] = [px - MIDDLE[0], py - MIDDLE[1]];
   return [x + scale * (cos * dx - sin * dy), y + scale * (sin * dx + cos * dy)];
 }
 
-/** One frame, RGBA, with its number in its corner, which the noise follows from. @param {Picture} portrait @param {Place} place */
+/**
+ * Renders a frame as RGBA, with its number in the corner. The number also seeds the noise.
+ *
+ * @param {Picture} portrait
+ * @param {Place} place
+ */
 export function frameOf(portrait, place, number) {
   const data = new Uint8ClampedArray(4 * WIDTH_PX * HEIGHT_PX);
   const [cos, sin] = turn(place.degrees);
@@ -67,7 +76,7 @@ export function frameOf(portrait, place, number) {
   return data;
 }
 
-/** The number in the corner of a frame. @param {Picture} frame */
+/** Reads the number in the corner of a frame. @param {Picture} frame */
 export function numberOf(frame) {
   const scale = frame.width / WIDTH_PX;
   let number = 0;
@@ -79,7 +88,7 @@ export function numberOf(frame) {
   return number;
 }
 
-/** Values from 0 to 1, the same for the same seed everywhere: mulberry32. @param {number} seed */
+/** Pseudo-random values from 0 to 1 (mulberry32), reproducible on each platform. @param {number} seed */
 function noiseOf(seed) {
   let state = seed;
   return () => {
@@ -90,7 +99,7 @@ function noiseOf(seed) {
   };
 }
 
-/** Bilinear, where the head is. */
+/** Samples the head bilinearly. */
 function put(data, at, { width, data: source }, x, y) {
   if (x < HEAD.left || y < HEAD.top || x > HEAD.right || y > HEAD.bottom) return;
   const [left, top] = [Math.floor(x), Math.floor(y)];
@@ -112,7 +121,7 @@ function paint(data, bit, value) {
   }
 }
 
-/** Rounded, so that no two mathematics libraries disagree about a pixel. */
+/** Rounded, because mathematics libraries differ in the last digits. */
 function turn(degrees) {
   const rounded = (value) => Math.round(value * 65_536) / 65_536;
   const radians = (degrees * Math.PI) / 180;

@@ -1,4 +1,4 @@
-// The file of a film for a fake camera to play.
+// Video files for a fake camera.
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
 import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
@@ -11,7 +11,7 @@ import { SAMPLE } from "./visitor.mjs";
 const HERE = import.meta.dirname;
 const FOLDER = path.join(process.env.CARGO_TARGET_DIR ?? path.join(HERE, "../../target"), "videos");
 
-/** The film of `placeIn` as a .y4m: written once, and anew when it would be another. */
+/** The video of `placeIn` as .y4m, cached by a hash of its sources. */
 export async function movingVideo() {
   const sources = [SAMPLE, ...["video.mjs", "video-frames.mjs", "pictures.mjs"].map((name) => path.join(HERE, name))];
   const hash = createHash("sha256");
@@ -19,7 +19,7 @@ export async function movingVideo() {
   const file = path.join(FOLDER, `moving-${hash.digest("hex").slice(0, 16)}.y4m`);
   if (existsSync(file)) return file;
   await mkdir(FOLDER, { recursive: true });
-  // Another test may write the same file: it gets its name when it is whole.
+  // Another test may write the same file, so rename it when complete.
   const unfinished = `${file}.${process.pid}`;
   await writeFile(unfinished, frames(PNG.sync.read(await readFile(SAMPLE))));
   await rename(unfinished, file);
@@ -33,7 +33,7 @@ function* frames(portrait) {
   }
 }
 
-/** The portrait's landmarks as MediaPipe finds them: x and y, px. */
+/** The portrait's landmarks as found by MediaPipe: x and y, px. */
 export async function portraitLandmarks() {
   const { portrait } = JSON.parse(await readFile(path.join(HERE, "../golden/refined_landmarks.json"), "utf8"));
   const [face] = portrait.faces;

@@ -6,23 +6,23 @@ import { untilKept } from "./kept.mjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
-/** Starts the line that a page writes when it did what its own policy forbids. */
+/** Prefix of the console line that reports a policy violation. */
 const VIOLATION = "policy violation:";
 
-/** How often the 3D view is looked at, at most, until it has come to rest. */
+/** Maximum number of screenshots until the 3D view is still. */
 const MOST_SHOTS = 20;
 
-/** Someone at the page: what they do, and what they see. */
+/** Drives one page and reads what it shows. */
 export class Visitor {
-  /** Errors the page let through, and what its policy had to refuse. */
+  /** Uncaught errors and policy violations. */
   broken = [];
   /** Console output of the page's own code. */
   said = [];
-  /** Messages of the browser itself, which differ between versions: for the log of a failed test only. */
+  /** Messages of the browser itself, which differ between versions; only for the log of a failed test. */
   browserSaid = [];
   /** Whether screenshots show the 3D view. */
   sees = true;
-  /** Addresses of all requests so far. @type {string[]} */
+  /** URLs of all requests so far. @type {string[]} */
   requests = [];
   /** Other tabs of the same browser. @type {Visitor[]} */
   tabs = [];
@@ -31,10 +31,10 @@ export class Visitor {
 
   /**
    * @typedef {object} Visit
-   * @property {(context: import("@playwright/test").BrowserContext) => unknown} [before] what is done before the page opens
+   * @property {(context: import("@playwright/test").BrowserContext) => unknown} [before] runs before the page opens
    * @property {((...values: any[]) => unknown | string)[]} [scripts] run in the page before its own
-   * @property {boolean} [hasClock] whether the page's time can be moved on
-   * @property {boolean} [expert] whether technical controls are shown
+   * @property {boolean} [hasClock] installs a fake clock
+   * @property {boolean} [expert] shows technical controls
    *
    * @param {import("@playwright/test").Browser} browser
    * @param {string} url
@@ -64,11 +64,11 @@ export class Visitor {
     this.page = page;
     page.setDefaultTimeout(60_000);
     page.context().on("request", (request) => this.requests.push(request.url()));
-    // Every file dialog is answered with the sample, unless its page is left. One that opens before Playwright listens would be lost.
+    // Answers every file dialog with the sample. A dialog that opens before Playwright listens would be lost.
     page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE).catch(() => {}));
     page.on("pageerror", (error) => this.broken.push(error));
     page.on("console", (message) => {
-      // Only calls of the console have arguments.
+      // Only console calls of the page have arguments.
       const isOfPage = message.args().length > 0;
       (isOfPage ? this.said : this.browserSaid).push(`${message.type()}: ${message.text()}`);
       if (isOfPage && message.text().startsWith(VIOLATION)) this.broken.push(message.text());
@@ -94,17 +94,17 @@ export class Visitor {
     return other;
   }
 
-  /** Waits until the page has all its parts, after which it makes no request. */
+  /** Waits until the page has loaded everything, after which it makes no request. */
   async untilLoaded() {
     await this.page.waitForSelector("#privacy-count[data-requests='0']", { state: "attached" });
   }
 
-  /** Waits until there are languages to choose from: the page's own scripts have run, and answer. Only a script is sooner. */
+  /** Waits for the language list, which shows that the page's scripts have run. */
   async untilItAnswers() {
     await this.page.waitForSelector("#language option", { state: "attached" });
   }
 
-  /** Drops a file anywhere on the page. @param {Uint8Array} bytes @param {string} name */
+  /** Drops a file on the page. @param {Uint8Array} bytes @param {string} name */
   async drop(bytes, name) {
     await this.untilItAnswers();
     await this.page.locator("body").drop({ files: { name, mimeType: "", buffer: Buffer.from(bytes) } });
@@ -115,13 +115,13 @@ export class Visitor {
     await this.untilFace();
   }
 
-  /** Opens the sample portrait without a search for its face. @param {string} [name] of its file */
+  /** Opens the sample portrait from a project, without face detection. @param {string} [name] file name */
   async openFace(name = "portrait") {
     await this.drop(this.project, `${name}.rosto`);
     await this.untilFace();
   }
 
-  /** Reloads the page once its work is kept, and resumes it. */
+  /** Waits until the work is saved, reloads the page and resumes. */
   async comeBack() {
     await untilKept(this.page);
     await this.page.reload();
@@ -135,20 +135,20 @@ export class Visitor {
     await this.untilFace();
   }
 
-  /** The mesh, and what was done to it. */
+  /** Mesh and history. */
   async work() {
     await this.page.bringToFront();
     return { mesh: await this.meshJson("mm"), history: await this.history() };
   }
 
-  /** Has the page in another language, as by its list of them, which may be out of sight. @param {string} language */
+  /** Chooses a language, even if the list is hidden. @param {string} language */
   async speak(language) {
     await this.page.selectOption("#language", language, { force: true });
     await this.page.waitForSelector(`html[lang^="${language}"]`, { state: "attached" });
     await this.frames(2);
   }
 
-  /** Waits until a face is on the canvas, all round. */
+  /** Waits until a face is open and has its whole-face texture. */
   async untilFace() {
     await this.page.waitForSelector("body[data-state='face']");
     await this.page.waitForSelector("#progress", { state: "hidden" });
@@ -156,19 +156,19 @@ export class Visitor {
     await this.frames(3);
   }
 
-  /** Waits for so many frames to be drawn. @param {number} count */
+  /** Waits for `count` animation frames. @param {number} count */
   async frames(count) {
     await this.page.evaluate(async (count) => {
       for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
     }, count);
   }
 
-  /** Shows a section of the panel, whichever tab or folds hide it. */
+  /** Shows a section of the panel: selects its tab and opens its folds. */
   unfold(id) {
     return this.reach(`#${id}`);
   }
 
-  /** Shows something of the panel, whichever tab or folds hide it. @param {string} selector */
+  /** Shows an element of the panel: selects its tab and opens its folds. @param {string} selector */
   async reach(selector) {
     if ((await this.page.locator(`[data-expert]:is(${selector}, :has(${selector}))`).count()) > 0) await this.beExpert();
     const tab = await this.page.locator(`#sections > [data-tab]:is(${selector}, :has(${selector}))`).getAttribute("data-tab");
@@ -178,7 +178,7 @@ export class Visitor {
     while ((await folded.count()) > 0) await folded.first().click();
   }
 
-  /** Shows technical controls and the numbers of points. */
+  /** Shows technical controls and point numbers. */
   async beExpert() {
     await this.page.locator("#expert").setChecked(true, { force: true });
   }
@@ -190,7 +190,7 @@ export class Visitor {
     await this.page.press("#landmark-search", "Enter");
   }
 
-  /** Takes a whole part of the face in hand. @param {string} region its id, such as "left-brow" */
+  /** Selects a region. @param {string} region id such as "left-brow" */
   async chooseRegion(region) {
     await this.unfold("section-landmark");
     await this.page.check("input[name='selection'][value='region']", { force: true });
@@ -198,7 +198,7 @@ export class Visitor {
     await this.frames(3);
   }
 
-  /** Where in the window the landmark is whose name is shown beside it. */
+  /** Position of the tagged landmark, in CSS px of the window. */
   async tagged() {
     await this.frames(3);
     const stage = await this.page.locator("#stage").boundingBox();
@@ -206,13 +206,19 @@ export class Visitor {
     return { x: stage.x + x, y: stage.y + y };
   }
 
-  /** Where in the window what is selected is. The pointer goes off the view for that: what it rests on would be named in its stead. */
+  /**
+   * Position of the selection in the window. The pointer leaves the view, because the tag shows a hovered point first.
+   */
   async selectedPlace() {
     await this.page.mouse.move(1, 1);
     return this.tagged();
   }
 
-  /** Where in the window a landmark is; it is selected for that, and let go of again. @param {number} landmark */
+  /**
+   * Position of a landmark in the window. Selects the landmark and clears the selection again.
+   *
+   * @param {number} landmark
+   */
   async landmarkPlace(landmark) {
     await this.findLandmark(String(landmark));
     const place = await this.selectedPlace();
@@ -221,7 +227,7 @@ export class Visitor {
     return place;
   }
 
-  /** A place of the window in the pixels of {@link view}. @param {{ x: number, y: number }} place */
+  /** Converts a position in the window to pixels of {@link view}. @param {{ x: number, y: number }} place */
   async onView({ x, y }) {
     const box = await this.page.locator("#viewport").boundingBox();
     const ratio = await this.page.evaluate(() => devicePixelRatio);
@@ -229,10 +235,10 @@ export class Visitor {
   }
 
   /**
-   * Goes over the 3D view in so many rows and columns and, wherever something lights up, drags from there. Tells how many
-   * places lit up, and those from which a drag did not move what was lit.
+   * Visits a grid of points in the 3D view and drags from each highlighted one. Returns the number of highlighted points,
+   * and those where the drag moved another point than the highlighted one.
    *
-   * @param {number} side
+   * @param {number} side grid points per side
    */
   async takeAtEach(side) {
     const { page } = this;
@@ -258,19 +264,19 @@ export class Visitor {
     return { lit, turned };
   }
 
-  /** A place of the window where the 3D view shows no face. */
+  /** A point of the window where the 3D view does not show the face. */
   async besideTheFace() {
     const view = await this.page.locator("#viewport").boundingBox();
     return { x: view.x + 20, y: view.y + view.height / 2 };
   }
 
-  /** The shape of the pointer over the 3D view. */
+  /** Cursor over the 3D view. */
   cursor() {
     return this.page.locator("#viewport").evaluate((canvas) => getComputedStyle(canvas).cursor);
   }
 
   /**
-   * Presses the pointer at a place of the window and moves it by so much.
+   * Presses the mouse at a position and moves it.
    *
    * @param {{ x: number, y: number }} from
    * @param {{ x: number, y: number }} by
@@ -281,20 +287,25 @@ export class Visitor {
     await this.page.mouse.move(from.x + by.x, from.y + by.y, { steps: 6 });
   }
 
-  /** The same, and lets go. @param {{ x: number, y: number }} from @param {{ x: number, y: number }} by */
+  /**
+   * Drags the mouse: {@link grab} and release.
+   *
+   * @param {{ x: number, y: number }} from
+   * @param {{ x: number, y: number }} by
+   */
   async drag(from, by) {
     await this.grab(from, by);
     await this.page.mouse.up();
     await this.frames(3);
   }
 
-  /** Chooses how the face follows an edit. @param {"sculpt" | "paper"} preset */
+  /** Chooses the preset of edits. @param {"sculpt" | "paper"} preset */
   async prefer(preset) {
     await this.reach("[data-choice='preset']");
     await this.page.check(`input[name="preset"][value="${preset}"]`, { force: true });
   }
 
-  /** Types an offset into the number field of an axis. @param {"x" | "y" | "z"} axis @param {number} offset_mm */
+  /** Enters an offset into the number field of an axis. @param {"x" | "y" | "z"} axis @param {number} offset_mm */
   async offset(axis, offset_mm) {
     await this.unfold("section-landmark");
     await this.#enter(`#landmark-sliders [data-axis="${axis}"]`, offset_mm);
@@ -306,7 +317,7 @@ export class Visitor {
     await this.offset(axis, offset_mm);
   }
 
-  /** Types into the number field of a ready-made slider. @param {string} slider its id, such as "nose-width" @param {number} amount_mm */
+  /** Sets a proportion slider by its number field. @param {string} slider id such as "nose-width" @param {number} amount_mm */
   async slide(slider, amount_mm) {
     await this.unfold("section-face");
     await this.#enter(`[data-slider="${slider}"]`, amount_mm);
@@ -325,22 +336,22 @@ export class Visitor {
     return Number(await this.page.inputValue(`[data-slider="${slider}"] input[type=number]`));
   }
 
-  /** What the history lists, newest first. */
+  /** Names of the listed edits, newest first. */
   async history() {
     return this.page.locator("#history .what").allInnerTexts();
   }
 
-  /** The number of the landmark that is being edited. */
+  /** Number of the selected landmark. */
   async landmark() {
     return Number((await this.page.inputValue("#landmark-search")).match(/\d+$/)?.[0]);
   }
 
-  /** The number of the point of a dense mesh that is being edited. */
+  /** Number of the selected point of a dense mesh. */
   async point() {
     return Number((await this.page.inputValue("#landmark-search")).match(/[\d,]+/)?.[0].replaceAll(",", ""));
   }
 
-  /** The anchors of the edit, as the panel names them. */
+  /** Anchors of the edit, as the panel lists them. */
   async anchors() {
     const text = await this.page.locator("#landmark-anchors").getAttribute("data-anchors");
     return (text ?? "").split(" ").filter(Boolean).map(Number);
@@ -349,7 +360,7 @@ export class Visitor {
   /** @param {"mm" | "image"} units */
   async meshJson(units) {
     await this.unfold("section-export");
-    // Only experts see it.
+    // Only visible in Expert mode, so it is set by script.
     await this.page.locator(`input[name="export-units"][value="${units}"]`).evaluate((input) => input.click());
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
@@ -358,12 +369,12 @@ export class Visitor {
     return JSON.parse(await readFile(await download.path(), "utf8"));
   }
 
-  /** The file that a button saves. @param {string} action */
+  /** Bytes of the file that a button saves. @param {string} action */
   async download(action) {
     return (await this.save(action)).bytes;
   }
 
-  /** The same with its name. @param {string} action */
+  /** Bytes and name of the file that a button saves. @param {string} action */
   async save(action) {
     await this.unfold("section-export");
     if (await this.page.locator(`#sections [data-action="${action}"]`).count()) await this.reach(`[data-action="${action}"]`);
@@ -374,9 +385,9 @@ export class Visitor {
     return { bytes: await readFile(await download.path()), name: download.suggestedFilename() };
   }
 
-  /** The pixels of the 3D view once it has come to rest, with what floats over it left out. */
+  /** Pixels of the 3D view once it is still, without the elements over it. */
   async view() {
-    assert.ok(this.sees, 'screenshots do not show the 3D view here: the test has to say that it needs "eyes"');
+    assert.ok(this.sees, 'this browser cannot screenshot the 3D view: tag the test with @eyes');
     await this.#showFloating("hidden");
     let shot = await this.#shot();
     for (let tries = 0; tries < MOST_SHOTS; tries += 1) {
@@ -393,14 +404,14 @@ export class Visitor {
     return this.page.locator("#viewport").screenshot();
   }
 
-  /** @param {"" | "hidden"} visibility of whatever floats over the 3D view */
+  /** @param {"" | "hidden"} visibility of the elements over the 3D view */
   #showFloating(visibility) {
     return this.page.evaluate((visibility) => {
       for (const element of document.querySelectorAll(".stage > :not(.viewport)")) element.style.visibility = visibility;
     }, visibility);
   }
 
-  /** What the notice says, once there is one. */
+  /** Waits for a notice; returns its code and text. */
   async notice() {
     const notice = this.page.locator("#notice");
     await notice.waitFor();
@@ -415,11 +426,11 @@ function reportViolations(violation) {
     console.error(`${violation} ${violatedDirective} ${blockedURI} ${sample}`));
 }
 
-/** Runs in the page, or in an empty one that stores nothing. */
+/** Runs in the page, and in an empty one without storage. */
 function rememberExpert() {
   try {
     localStorage.setItem("rosto.expert", "on");
   } catch {
-    // The page itself runs it again.
+    // Runs again in the page itself.
   }
 }

@@ -1,6 +1,6 @@
-// Scripts that run in the page or its worker and record what it cannot show, or break something.
+// Scripts for the page or its worker that record internals or inject faults.
 
-/** Records the type of each message from a worker in `workersSaid`; in `workersProgress`, how much is done and what the bar shows then. */
+/** Records worker messages: types in `workersSaid`; progress and the bar's value in `workersProgress`. */
 export function watchWorkers() {
   Object.assign(window, { workersSaid: [], workersProgress: [] });
   const listen = Worker.prototype.addEventListener;
@@ -14,7 +14,7 @@ export function watchWorkers() {
   };
 }
 
-/** Records the devices that the page draws with in `gpus`, also those of WebGL2, and whether each is gone. */
+/** Records the page's GPU devices in `gpus`, and whether each is lost. Includes restored WebGL2 contexts. */
 export function watchGpus() {
   window.gpus = [];
   addEventListener("webglcontextrestored", () => window.gpus.push({ isGone: false }), { capture: true });
@@ -29,13 +29,13 @@ export function watchGpus() {
   };
 }
 
-/** Ends the browser's graphics process. @param {import("@playwright/test").Page} page */
+/** Crashes the browser's GPU process. @param {import("@playwright/test").Page} page */
 export async function crashGpu(page) {
   const browser = await page.context().browser().newBrowserCDPSession();
   await browser.send("Browser.crashGpuProcess");
 }
 
-/** Has the next call of a method of the page's studio trap, as a panic does. @param {{ module?: string, method: string }} call */
+/** Makes the next call of a studio method trap, as a panic does. @param {{ module?: string, method: string }} call */
 export async function panicIn({ module = "rosto-studio-web.js", method }) {
   const { prototype } = (await import(new URL(`wasm/${module}`, document.baseURI).href)).Studio;
   const call = prototype[method];
@@ -48,7 +48,7 @@ export async function panicIn({ module = "rosto-studio-web.js", method }) {
   };
 }
 
-/** Has the worker die in place of a reply. @param {string} reply */
+/** Makes the worker crash instead of sending a reply. @param {string} reply */
 export function dieBefore(reply) {
   const tell = self.postMessage.bind(self);
   self.postMessage = (message, transfer) => {
@@ -57,7 +57,7 @@ export function dieBefore(reply) {
   };
 }
 
-/** Refuses the database, as some browsers do in private windows, and counts that in `refusals`. */
+/** Refuses the database, as some browsers do in private windows; counts attempts in `refusals`. */
 export function refuseDatabase() {
   globalThis.refusals = 0;
   IDBFactory.prototype.open = () => {

@@ -1,6 +1,6 @@
-// What the other files here look with. All of it runs in the page.
+// Helpers of the layout checks. Runs in the page.
 
-/** Boxes that share no more than this are apart, in CSS px: browsers lay out in fractions of them. */
+/** Tolerance for overlaps, in CSS px: browsers lay out in fractions. */
 export const SLACK_PX = 1;
 
 /** @param {Element} element */
@@ -19,7 +19,7 @@ export function nameOf(element) {
   return `${section ? `#${section.id} ` : ""}${kind}${words ? ` “${words}”` : ""}`;
 }
 
-/** Whatever floats over the 3D view, each for itself; what is as high as the stage and lets presses through is not meant. */
+/** Elements over the 3D view. Excludes full-height ones that let pointer events through. */
 export function floats() {
   const outer = ".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .pulse), #toast, #faces, .welcome > *";
   const isWhole = (element) => element.matches(".wipe") && element.clientHeight === element.parentElement?.clientHeight;
@@ -27,14 +27,14 @@ export function floats() {
   return all.filter((element) => isSeen(element) && element.checkVisibility({ opacityProperty: true }) && !isWhole(element));
 }
 
-/** How much two boxes share; nothing if they are apart. @param {DOMRect} a @param {DOMRect} b */
+/** Size of the overlap of two boxes; undefined if there is none. @param {DOMRect} a @param {DOMRect} b */
 export function overlap(a, b) {
   const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
   const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
   return width > SLACK_PX && height > SLACK_PX ? `${Math.round(width)} × ${Math.round(height)} px` : undefined;
 }
 
-/** How far a box reaches beyond another's edges, sideways and up or down. */
+/** Distance by which a box extends beyond a frame, horizontally and vertically. */
 export function edgeOf(box, frame) {
   const across = Math.max(frame.left - box.left, box.right - frame.right);
   const along = Math.max(frame.top - box.top, box.bottom - frame.bottom);
@@ -46,7 +46,7 @@ export function hasOwnText(element) {
   return [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && (node.textContent ?? "").trim() !== "");
 }
 
-/** Where the text of an element stands, line by line. @param {Element} element */
+/** Boxes of an element's lines of text. @param {Element} element */
 export function textOf(element) {
   const range = document.createRange();
   range.selectNodeContents(element);

@@ -1,10 +1,10 @@
-// What leaves the window, and text that is cut. It runs in the page.
+// Elements that leave the window, and text that is cut. Runs in the page.
 import { edgeOf, hasOwnText, isSeen, nameOf, SLACK_PX, textOf } from "./basics.mjs";
 
-/** A closed list shows its choice beside an arrow this wide, in CSS px. */
+/** Width of the arrow of a closed select, in CSS px. */
 export const SELECT_ARROW_PX = 20;
 
-/** What stands where nobody sees it, though nothing there scrolls. */
+/** Elements outside their clipping container or the window that cannot be scrolled to. */
 export function leaving(all) {
   const isFloat = (element) => element.parentElement?.id === "stage" && element.id !== "viewport";
   const isControl = (element) => element.matches("button, input, select, canvas:not(#viewport), progress");
@@ -31,7 +31,7 @@ export function outside(element) {
   return !scrolls && along > SLACK_PX ? `${nameOf(element)} leaves the window by ${along} px` : undefined;
 }
 
-/** Text wider than its box: it is cut there, or runs over what stands beside it. */
+/** Text wider than its box. */
 export function spilling(all) {
   return all
     .filter((element) => element.clientWidth > 0 && hasOwnText(element) && getComputedStyle(element).textOverflow !== "ellipsis")
@@ -39,7 +39,7 @@ export function spilling(all) {
     .map((element) => `the text of ${nameOf(element)} is ${element.scrollWidth - element.clientWidth} px wider than its box`);
 }
 
-/** What is cut within buttons, labels, segments and fields. */
+/** Text cut within buttons, labels, segments and fields. */
 export function cutting(all) {
   const found = [];
   for (const element of all.filter((one) => one.matches("button, label, summary, [role=tab], .choice-options span"))) {
@@ -53,7 +53,7 @@ export function cutting(all) {
   return [...found, ...all.map(cutChoice), ...all.map(cutValue)];
 }
 
-/** Segments and tabs keep to one line, whatever the language. @param {Element} element */
+/** Segments and tabs have one line in each language. @param {Element} element */
 export function isWrapped(element) {
   const lines = textOf(element).toSorted((a, b) => a.top - b.top);
   return lines.some((line, place) => place > 0 && line.top >= lines[place - 1].bottom - 2);

@@ -1,4 +1,4 @@
-// What overlaps and what is covered. It runs in the page.
+// Overlapping and covered elements. Runs in the page.
 import { floats, isSeen, nameOf, overlap, SLACK_PX } from "./basics.mjs";
 import { cutting, leaving, sideways, spilling } from "./cuts.mjs";
 
@@ -18,7 +18,7 @@ export function overlapping() {
   const standing = [...floating, ...fixed];
   const pairs = floating.flatMap((one, place) => standing.slice(place + 1).map((other) => [one, other]));
   return [...pairs, ...fixed.map((one) => [stage, one])].map(([one, other]) => {
-    // A name beside a landmark goes with it, below a message that stays for a moment, too.
+    // The landmark's tag may pass below a notice or the progress.
     const isPassing = [one, other].some(({ id }) => id === "landmark-tag") && [one, other].some(({ id }) => id === "notice" || id === "progress");
     if (isPassing || one.contains(other) || other.contains(one)) return undefined;
     const shared = overlap(one.getBoundingClientRect(), other.getBoundingClientRect());
@@ -32,7 +32,7 @@ export function lyingOver(box) {
   return standing.filter((element) => overlap(element.getBoundingClientRect(), box)).map(nameOf);
 }
 
-/** Controls whose middle something else takes the presses of. @param {Element} scope */
+/** Controls whose centre is covered by another element. @param {Element} scope */
 export function covered(scope) {
   return controls(scope).map((element) => {
     const { left, right, top, bottom } = element.getBoundingClientRect();
@@ -50,7 +50,7 @@ export function controls(scope) {
   return [...all].filter((element) => isSeen(element) && getComputedStyle(element).pointerEvents !== "none");
 }
 
-/** Whether a place is within all that scrolls around an element. */
+/** Whether a point is visible in all scroll containers of an element. */
 export function reachable(element, x, y) {
   for (let up = element.parentElement; up && up !== document.documentElement; up = up.parentElement) {
     const { overflowX, overflowY } = getComputedStyle(up);

@@ -14,7 +14,7 @@ const SCREEN = "1280x900x24";
 const START_MS = 15_000;
 const SCRIPT_MS = 120_000;
 
-/** Each engine's driver, and the capabilities of a browser that saves its downloads unasked. */
+/** Driver and capabilities of each engine; downloads are saved without a prompt. */
 export const ENGINES = {
   chromium: { driver: () => process.env.CHROMEDRIVER ?? find("chromedriver"), capabilities: chromium },
   firefox: { driver: () => find("geckodriver"), capabilities: firefox },
@@ -37,8 +37,7 @@ function firefox(downloads) {
 }
 
 /**
- * Starts a browser in a home folder of its own, which goes with it. Its `errors` are those that the page did not catch, and those
- * on its console.
+ * Starts a browser in a temporary home folder. Its `errors` are uncaught errors and console errors.
  *
  * @param {keyof typeof ENGINES} name
  * @param {NodeJS.ProcessEnv} env
@@ -48,7 +47,7 @@ export async function start(name, env) {
   const home = await mkdtemp(path.join(tmpdir(), `rosto-${name}-`));
   const downloads = path.join(home, "downloads");
   await mkdir(downloads);
-  // GLib finds the folder for downloads by this file.
+  // GLib reads the download folder from this file.
   await writeFile(path.join(home, "user-dirs.dirs"), `XDG_DOWNLOAD_DIR="${downloads}"\n`);
   const folders = { HOME: home, XDG_CONFIG_HOME: home, XDG_CACHE_HOME: home, XDG_DATA_HOME: home };
   const service = new DriverService.Builder(program()).setLoopback(true).setEnvironment({ ...env, ...folders }).build();
@@ -57,7 +56,7 @@ export async function start(name, env) {
   const close = async () => {
     await driver?.quit().catch(() => {});
     await service.kill();
-    // Its processes end a little later and still write what they keep.
+    // The browser's processes may still write for a moment.
     await rm(home, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
   };
   try {
@@ -81,7 +80,7 @@ export async function start(name, env) {
   }
 }
 
-/** Has a page that has just loaded note its errors itself. @param {import("selenium-webdriver").WebDriver} driver */
+/** Makes a page that has just loaded record its errors. @param {import("selenium-webdriver").WebDriver} driver */
 export function noteErrors(driver) {
   return driver.executeScript(() => {
     const note = (...words) => {
@@ -97,19 +96,19 @@ export function noteErrors(driver) {
   });
 }
 
-/** A screen that nobody sees: Firefox and WebKit have no WebGL without one. */
+/** Starts a virtual display, which Firefox and WebKit need for WebGL. */
 export async function openDisplay() {
   const args = ["-displayfd", "3", "-screen", "0", SCREEN, "-nolisten", "tcp"];
   const server = spawn(find("Xvfb"), args, { stdio: ["ignore", "ignore", "ignore", "pipe"] });
   const [number] = await once(server.stdio[3], "data", { signal: AbortSignal.timeout(START_MS) });
   return {
-    /** For programs that draw on it, in software. */
+    /** Environment for programs that use the display, with software rendering. */
     env: { ...process.env, DISPLAY: `:${String(number).trim()}`, WAYLAND_DISPLAY: "", LIBGL_ALWAYS_SOFTWARE: "1" },
     close: () => server.kill(),
   };
 }
 
-/** A program on PATH, by the first of its names that is there. @param {string[]} names */
+/** Path of the first of these programs found on PATH. @param {string[]} names */
 function find(...names) {
   const found = names.map((name) => findInPath(name)).find(Boolean);
   if (!found) throw new Error(`no ${names.join(" or ")} on this machine; \`cargo xtask setup\` installs it`);

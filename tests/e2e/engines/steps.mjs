@@ -7,15 +7,15 @@ import { validateGlb } from "../validate-glb.mjs";
 /** @typedef {import("selenium-webdriver").WebDriver} WebDriver */
 
 export const WAIT_MS = 120_000;
-/** Points of a face as it is at first. */
+/** Number of vertices at the default density. */
 const SMOOTH = 7257;
-/** Each is of whole pixels. */
+/** Steps of a drag, in whole pixels. */
 const STEPS = 10;
-/** A pointer that moves at a person's speed, so that no engine takes two moves for one. */
+/** Human speed, so that no engine merges two moves. */
 const STEP_MS = 16;
 
 /**
- * Waits for a condition. While one page leaves and the next comes, a driver may find none to ask: it asks again.
+ * Waits for a condition. Retries while a navigation leaves the driver without a page.
  *
  * @param {WebDriver} driver
  * @param {string} condition
@@ -26,7 +26,7 @@ export async function until(driver, condition, what) {
     if (error instanceof errors.NoSuchSessionError) throw error;
     return false;
   });
-  await driver.wait(holds, WAIT_MS, `${what} did not come`);
+  await driver.wait(holds, WAIT_MS, `${what} did not appear`);
 }
 
 /** Drags from the middle of an element. @param {WebDriver} driver @param {string} selector @param {{ x: number, y: number }} by CSS px */
@@ -38,12 +38,12 @@ export async function drag(driver, selector, by) {
   await actions.release().perform();
 }
 
-/** Draws some frames and takes a picture. @param {WebDriver} driver @param {string} file */
+/** Draws some frames and takes a screenshot. @param {WebDriver} driver @param {string} file */
 export async function shot(driver, file) {
   await driver.executeScript(async () => {
     for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
   });
-  // chromedriver's own screenshots have a limit of 10 s, which is too short for a busy machine without a GPU.
+  // chromedriver's screenshots time out after 10 s, which is too short for a busy machine without a GPU.
   const isChromium = "sendAndGetDevToolsCommand" in driver;
   const base64 = isChromium ? (await driver.sendAndGetDevToolsCommand("Page.captureScreenshot", {})).data : await driver.takeScreenshot();
   const png = Buffer.from(base64, "base64");

@@ -9,16 +9,16 @@ import { checkGlb, drag, shot, until, WAIT_MS } from "./steps.mjs";
 
 /** @typedef {import("./browsers.mjs").Browser} Browser */
 
-/** A face in a format that the browser decodes. */
+/** A drawn face in a format that only the browser decodes. */
 const AVIF = path.resolve(import.meta.dirname, "../pictures/drawn-face.avif");
-/** Work is kept within this time after the last change. */
+/** Time within which a change is saved. */
 const KEPT_MS = 1_000;
-/** What a browser calls a file that is still arriving. */
+/** Names of incomplete downloads. */
 const ARRIVING = /\.(part|crdownload|wkdownload|tmp)$|^\./;
 
 /**
- * The walk through the page that has to work in every engine: arrive, choose a photo, edit by number and by hand, undo,
- * download, reload, resume; choose a photo that the browser decodes.
+ * Core scenario for each engine: load, choose a photo, edit by number and by drag, undo, download, reload, resume, and
+ * choose a photo that the browser decodes.
  *
  * @param {Browser} browser
  * @param {string} url
@@ -29,7 +29,7 @@ export async function walkCore(browser, url, pictures) {
   const { driver } = browser;
   const picture = (name) => shot(driver, path.join(pictures, `${browser.name}-${name}.png`));
   const find = (selector) => driver.findElement(By.css(selector));
-  /** Types into a field in place of what it holds, and leaves it. */
+  /** Replaces a field's text and leaves the field. */
   const type = async (selector, text, leaving) => {
     await find(selector).click();
     await driver.executeScript("document.activeElement.select()");
@@ -84,7 +84,7 @@ export async function walkCore(browser, url, pictures) {
 }
 
 /**
- * The example page with the element: the face comes, a drag and a slider reshape it, and its GLB is valid.
+ * Scenario for the element on its example page: the face loads, a drag and a slider reshape it, and its GLB is valid.
  *
  * @param {Browser} browser
  * @param {string} url
@@ -112,7 +112,7 @@ export async function walkElement({ driver, name, errors }, url, pictures) {
   assert.deepEqual(await errors(), []);
 }
 
-/** What draws in WebGL2, as the browser names it. @param {import("selenium-webdriver").WebDriver} driver @returns {Promise<string>} */
+/** Name of the WebGL2 renderer. @param {import("selenium-webdriver").WebDriver} driver @returns {Promise<string>} */
 async function renderer(driver) {
   const name = await driver.executeScript(() => {
     const gl = document.querySelector("#viewport").getContext("webgl2");
@@ -140,7 +140,7 @@ async function download({ driver, downloads }, action) {
     const before = bytes;
     bytes = await readFile(path.join(downloads, name));
     return bytes.length > 0 && bytes.equals(before);
-  }, WAIT_MS, `${action} does not arrive`);
+  }, WAIT_MS, `${action} was not downloaded`);
   return bytes;
 }
 

@@ -15,7 +15,7 @@ const number = fc.oneof(fc.integer({ min: -30, max: 30 }), fc.double(), fc.const
 const SOUGHT = ["nose tip", "bottom of the chin", "left", "ponta do nariz", "", "   ", "-1", "1.5", "1e9", "467", "468", "<b>"];
 const words = fc.oneof(fc.constantFrom(...SOUGHT), fc.nat(30_000), fc.string({ unit: "grapheme" }));
 const SLIDER_KEYS = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "PageUp", "PageDown", "Escape"];
-/** Every key that the page listens to, and a few that it does not. */
+/** Keys that the page handles, and a few that it does not. */
 const KEYS = [
   ...SLIDER_KEYS, "Alt+ArrowUp", "Alt+ArrowDown", "Control+Shift+ArrowLeft", "Control+Shift+ArrowUp", "Shift+ArrowLeft", "f", "l", "t",
   "w", "b", "p", "x", "y", "z", "Space", "Enter", "Tab", "Shift+Tab", "?", "Control+z", "Control+Shift+z", "Control+y", "Delete", "q", "1",
@@ -24,7 +24,7 @@ const SIZES = [[760, 480], [1024, 640], [390, 700], [280, 300], [719, 500], [900
 const MEDIA = [{ colorScheme: "light" }, { colorScheme: "dark" }, { reducedMotion: "reduce" }, { reducedMotion: "no-preference" }];
 const UNDOING = ["undo", "undo", "undo", "redo", "redo", "reset", "reset-selection"];
 
-/** A file's bytes; none if it was not downloaded yet. */
+/** Bytes of a file; undefined if it has not been downloaded yet. */
 const FILES = {
   "portrait.png": () => readFile(SAMPLE),
   "friends.png": async ({ page }) => twice(page, await readFile(SAMPLE)),
@@ -55,7 +55,7 @@ const file = fc.record({ name: fc.constantFrom(...Object.keys(FILES)), part: fc.
 const files = { files: fc.array(file, { minLength: 1, maxLength: 3 }), by: fc.constantFrom("drop", "drop", "paste"), waits: fc.boolean() };
 const checked = fc.constantFrom("undo and redo", "undo and redo", "history", "GLB", "reload");
 
-/** Anything that a visitor can do. */
+/** A random user action. */
 export const action = often(
   [25, command("arrive", beforeFace, { resumes }, arrive)],
   [36, command("use", always, { group: share, control: share, from: share, to: fc.option(share, { freq: 2 }), ...how }, use)],
@@ -71,13 +71,13 @@ export const action = often(
 );
 
 /**
- * Commands of a kind. Their text names what they met.
+ * An action of the model-based test. Its text includes what it acted on.
  *
  * @template T
  * @param {string} name
  * @param {(seen: Seen) => boolean} applies
  * @param {{ [K in keyof T]: fc.Arbitrary<T[K]> }} how
- * @param {(visit: Visit, how: T) => unknown} act may return what it met
+ * @param {(visit: Visit, how: T) => unknown} act may return what it acted on
  */
 function command(name, applies, how, act) {
   return fc.record(how).map((values) => {
@@ -98,7 +98,7 @@ async function arrive(visit, { resumes }) {
   await bring(visit, { files: [{ name: "portrait.png", part: 1 }], by: "drop", waits: true });
 }
 
-/** Uses a control as its kind is used; sliders by keys or, if there is where `to`, by a drag. @param {Visit} visit */
+/** Uses a control according to its kind; a slider by keys or, with `to`, by a drag. @param {Visit} visit */
 async function use({ page }, { group, control, from, to, number, text, leaving, keys }) {
   const chosen = await page.evaluate((which) => window["monkey"].choose(which), { group, control });
   if (!chosen) return "nothing";
@@ -132,7 +132,7 @@ async function press({ page }, { keys, isOnView }) {
   for (const key of keys) await page.keyboard.press(key);
 }
 
-/** Brings files, or the first part of them. @param {Visit} visit */
+/** Drops or pastes files, possibly truncated. @param {Visit} visit */
 async function bring(visit, { files, by, waits }) {
   for (const { name, part } of files) {
     const bytes = await FILES[name](visit);
@@ -142,7 +142,7 @@ async function bring(visit, { files, by, waits }) {
   if (waits) await visit.untilQuiet();
 }
 
-/** Undo and redo faster than the page draws. @param {Visit} visit @param {{ presses: string[] }} how */
+/** Triggers undo and redo faster than the page draws. @param {Visit} visit @param {{ presses: string[] }} how */
 function storm({ page }, { presses }) {
   return page.evaluate((presses) => {
     for (const action of presses) window["monkey"].press(`#section-history [data-action="${action}"]`);

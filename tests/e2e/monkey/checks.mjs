@@ -5,14 +5,19 @@ import { validateGlb } from "../validate-glb.mjs";
 
 /** @typedef {import("./visit.mjs").Visit} Visit */
 
-/** Work is kept within this time after the last change. */
+/** Time within which a change is saved. */
 const KEPT_MS = 1_000;
 const DOWNLOAD_MS = 20_000;
 
-/** What must hold after any actions, as a visitor can check it. @type {Record<string, (visit: Visit) => Promise<void>>} */
+/** Properties that hold after any actions. @type {Record<string, (visit: Visit) => Promise<void>>} */
 const CHECKS = { "undo and redo": undoAndRedo, history: historyInFile, GLB: validGlb, reload: reloaded };
 
-/** Lets go of everything and waits for files, before a face is checked. @param {Visit} visit @param {string} what */
+/**
+ * Closes dialogs and waits for files, then runs a check if a face is open.
+ *
+ * @param {Visit} visit
+ * @param {string} what
+ */
 export async function check(visit, what) {
   await visit.untilQuiet();
   await visit.page.evaluate(() => {
@@ -23,17 +28,17 @@ export async function check(visit, what) {
   if (state === "face" && !busy) await CHECKS[what](visit);
 }
 
-/** Undo and then redo gives the same mesh and the same history. @param {Visit} visit */
+/** Undo followed by redo restores mesh and history. @param {Visit} visit */
 async function undoAndRedo(visit) {
   const before = await work(visit);
   if (!(await visit.press("#section-history [data-action='undo']"))) return;
   await visit.look(2);
-  assert.ok(await visit.press("#section-history [data-action='redo']"), "redo is not offered after undo");
+  assert.ok(await visit.press("#section-history [data-action='redo']"), "redo is disabled after undo");
   await visit.look(2);
   await expectSame(visit, before, "undo and redo");
 }
 
-/** The work is the same after a reload. @param {Visit} visit */
+/** A reload restores the work. @param {Visit} visit */
 async function reloaded(visit) {
   const before = await work(visit);
   await setTimeout(KEPT_MS);
@@ -42,11 +47,11 @@ async function reloaded(visit) {
   await expectSame(visit, before, "a reload");
 }
 
-/** The project file holds as many edits as the page lists. @param {Visit} visit */
+/** The project file contains as many edits as the page lists. @param {Visit} visit */
 async function historyInFile(visit) {
   const file = await download(visit, "save-project", ".rosto");
   const { edits } = JSON.parse(file.subarray(0, file.indexOf("\n")).toString());
-  assert.equal(edits.entries.length, (await history(visit)).length, "the page and its project file hold different numbers of edits");
+  assert.equal(edits.entries.length, (await history(visit)).length, "the page and the project file differ in the number of edits");
 }
 
 /** @param {Visit} visit */
@@ -55,7 +60,7 @@ async function validGlb(visit) {
   assert.deepEqual(messages, []);
 }
 
-/** The history, and the mesh in millimetres: a reload forgets what was chosen for files. @param {Visit} visit */
+/** History, and the mesh in millimetres, because a reload resets the file options. @param {Visit} visit */
 async function work(visit) {
   if (!(await visit.page.isChecked("#expert"))) await visit.press("#expert");
   await visit.press("input[name='export-units'][value='mm']");
@@ -69,7 +74,7 @@ async function expectSame(visit, before, cause) {
   assert.ok(after.mesh.equals(before.mesh), `${cause} changed the mesh`);
 }
 
-/** Each edit, and whether it is on. @param {Visit} visit */
+/** Each edit and its checkbox. @param {Visit} visit */
 function history({ page }) {
   return page.locator("#history li").evaluateAll((items) => items.map((item) => [item.textContent, item.querySelector("input")?.checked]));
 }
@@ -77,7 +82,7 @@ function history({ page }) {
 /** @param {Visit} visit @param {string} action @param {string} extension */
 async function download(visit, action, extension) {
   const [file] = await Promise.all([
-    // A picture that was asked for before may come in between.
+    // Ignores a picture download that is still pending.
     visit.page.waitForEvent("download", { predicate: (file) => file.suggestedFilename().endsWith(extension), timeout: DOWNLOAD_MS }),
     visit.press(`#panel [data-action="${action}"]`),
   ]);

@@ -1,16 +1,16 @@
 /**
  * @typedef {{ state: "empty" | "photo" | "face", busy: boolean, dialog: boolean, error: string | null, notice: string }} Seen
- *   the page's state, whether a file is being opened and whether a dialog covers the page, and the code and text of the notice
+ *   the page's state, whether it is opening a file, whether a modal dialog is open, and the notice's code and text
  */
 
-/** Gives the page `window.monkey`; runs in the page, before its own scripts. */
+/** Installs `window.monkey`; runs in the page before its own scripts. */
 export function letMonkeyIn() {
   const USABLE = "button, input:not([type=file]), select, summary, [role=button], .slider-label";
   const TICKS = "[type=radio], [type=checkbox]";
   const SHUFFLED = ["section-landmark", "section-view", "section-history"].map((id) => `#${id} :is(select, ${TICKS})`).join();
-  /** Most of the time goes into shaping. */
+  /** Prefers shaping. */
   const WEIGHT_OF_GROUP = { "section-landmark": 8, "section-view": 3, "section-history": 3 };
-  /** Selects decide how the face follows; folds stay open more often than not; some actions take long. */
+  /** Prefers selects, which change how edits behave, and opening folds; avoids slow actions. */
   const WEIGHTS = [
     ["[data-action=run-paper], [data-action=camera], [data-action=close-camera]", 1],
     ["select", 15],
@@ -28,7 +28,7 @@ export function letMonkeyIn() {
   const usable = () => [...(document.querySelector("dialog:modal") ?? document).querySelectorAll(USABLE)].filter(isUsable);
   const groupOf = (element) => element.closest("dialog, details.section, .toolbar, header, footer, section, main")?.id ?? "";
   const weightOf = (element) => WEIGHTS.find(([selector]) => element.matches(selector))[1];
-  /** The one of a list that a share from 0 to 1 falls on, each as wide as its weight. */
+  /** Picks an item by a number from 0 to 1, in proportion to the weights. */
   const pick = (list, weightOf, share) => {
     const tickets = list.flatMap((one) => Array.from({ length: weightOf(one) }, () => one));
     return tickets[Math.floor(share * tickets.length)];
@@ -39,13 +39,13 @@ export function letMonkeyIn() {
     for (const type of ["input", "change"]) element.dispatchEvent(new Event(type, { bubbles: true }));
   };
   const choose = (select, share) => {
-    // A software GPU draws the dense meshes slowly: they come up less often.
+    // Software rendering is slow on dense meshes, so choose them rarely.
     const place = select.id === "density" ? share ** 6 : share;
     set(select, "selectedIndex", Math.floor(place * select.length));
   };
 
   window["monkey"] = {
-    /** What is to be seen after some frames. */
+    /** State of the page after some frames. */
     look: async (frames) => {
       for (let frame = 0; frame < frames; frame++) await new Promise(requestAnimationFrame);
       const [notice, progress] = ["notice", "progress"].map((id) => document.getElementById(id));
@@ -57,7 +57,7 @@ export function letMonkeyIn() {
         notice: short(notice?.innerText ?? ""),
       };
     },
-    /** Any part of the page is as likely as the others, however many controls it has. */
+    /** Chooses the section first, so that the number of its controls does not matter. */
     choose: ({ group, control }) => {
       const all = usable();
       const chosen = pick([...new Set(all.map(groupOf))], (name) => WEIGHT_OF_GROUP[name] ?? 2, group);
@@ -75,13 +75,13 @@ export function letMonkeyIn() {
       chosen.focus();
       if (chosen.type !== "range") chosen.select();
     },
-    /** Sets what a browser's own window would set: an option, a colour. */
+    /** Sets a value that users choose in a native popup: an option or a colour. */
     set: (share) => {
       const { chosen } = window["monkey"];
       if (chosen.matches("select")) choose(chosen, share);
       else set(chosen, "value", `#${Math.floor(share * 0x1000000).toString(16).padStart(6, "0")}`);
     },
-    /** Several choices in one task: modes meet that rarely meet otherwise. */
+    /** Changes several choices in one task, to reach rare combinations. */
     shuffle: (picks) => {
       for (const { control, value } of picks) {
         const element = pick(usable().filter((one) => one.matches(SHUFFLED)), weightOf, control);
@@ -89,7 +89,7 @@ export function letMonkeyIn() {
         else element?.click();
       }
     },
-    /** Presses a button wherever it is, as a key or a screen reader would; returns whether it can be pressed. */
+    /** Clicks a button even if it is not visible; returns whether it is enabled. */
     press: (selector) => {
       const element = document.querySelector(selector);
       if (!element || element.matches(":disabled")) return false;

@@ -2,12 +2,12 @@ import { setTimeout } from "node:timers/promises";
 import fc from "fast-check";
 
 /**
- * @typedef {{ x: number, y: number }} Place in shares of an element's width and height
+ * @typedef {{ x: number, y: number }} Place as fractions of an element's size
  * @typedef {{ type: string, at?: Place, button?: keyof BUTTONS, modifiers?: number, key?: string, fingers?: Place[] }} Move
- *   a mouse or touch event of Chromium's protocol, or "key", "rest" or "cancel"; `fingers`: all that are down
+ *   a mouse or touch event of Chromium's protocol, or "key", "rest" or "cancel"; `fingers`: all fingers that are down
  */
 
-/** A finger that rests this long selects. */
+/** Duration of a long press. */
 const REST_MS = 520;
 const BUTTONS = { left: 1, right: 2, middle: 4 };
 const [ALT, CTRL, SHIFT] = [1, 2, 8];
@@ -19,7 +19,7 @@ const several = (one, maxLength = 6) => fc.array(one, { minLength: 1, maxLength 
 /** From 0 to 1. */
 export const share = fc.nat(9999).map((number) => number / 10_000);
 const middle = share.map((number) => 0.25 + number / 2);
-/** Most places are on the face. */
+/** Mostly on the face. */
 const place = often([4, fc.record({ x: middle, y: middle })], [1, fc.record({ x: share, y: share })]);
 const button = often([6, fc.constant("left")], [1, fc.constant("right")], [1, fc.constant("middle")]);
 const modifiers = often([6, fc.constant(0)], [4, fc.constantFrom(SHIFT, ALT, CTRL, SHIFT | ALT)]);
@@ -33,7 +33,7 @@ const wheel = fc.record({
   modifiers: often([3, fc.constant(0)], [1, fc.constant(CTRL)]),
 });
 const key = fc.record({ type: fc.constant("key"), key: fc.constantFrom("Escape", "x", "y", "z", "Control+z", "w", "b", "Tab") });
-/** Anything that can come in the middle of a drag. */
+/** Events in the middle of a drag. */
 const meanwhile = often([20, move], [3, key], [1, wheel], [1, fc.constant({ type: "cancel" })]);
 const way = often([4, fc.constant([])], [6, several(meanwhile)]);
 const press = fc.record({ from: place, way, how: fc.record({ button, modifiers }) }).map(({ from, way, how }) => {
@@ -49,7 +49,7 @@ const end = often([3, fc.constant("touchEnd")], [1, fc.constant("touchCancel")])
 const fingers = fc.record({ fingers: several(place, 2), strokes, end })
   .map(({ fingers, strokes, end }) => [{ type: "touchStart", fingers }, ...strokes, { type: end, fingers: [] }]);
 
-/** A click, a drag, a hover, a scroll, or what fingers do. @type {fc.Arbitrary<Move[]>} */
+/** A click, drag, hover, scroll or touch gesture. @type {fc.Arbitrary<Move[]>} */
 export const gesture = often([10, press], [2, several(move)], [2, several(wheel)], [2, fingers]);
 
 /** @param {import("./visit.mjs").Visit} visit @param {string} selector @param {Move[]} moves */
@@ -57,13 +57,13 @@ export async function play({ page, input }, selector, moves) {
   const box = await page.locator(selector).boundingBox();
   if (!box) return;
   const inBox = ({ x, y }) => ({ x: box.x + x * box.width, y: box.y + y * box.height });
-  // The mouse does not wait for the page; anything that comes in between waits for the mouse.
+  // Mouse events are sent without waiting; other events wait for them.
   let mouse = Promise.resolve();
   for (const { type, at, key, fingers, ...how } of moves) {
     if (!type.startsWith("mouse")) await mouse;
     if (type === "rest") await setTimeout(REST_MS);
     else if (type === "key") await page.keyboard.press(key);
-    // The system takes the mouse away, as it does for a gesture of its own.
+    // The system cancels the pointer, for example for its own gesture.
     else if (type === "cancel") await page.dispatchEvent("#viewport", "pointercancel", { pointerId: 1, pointerType: "mouse" });
     else if (fingers) {
       await input.send("Input.dispatchTouchEvent", { type, touchPoints: fingers.map((finger, id) => ({ ...inBox(finger), id })) });
