@@ -1,13 +1,13 @@
 /**
- * Whether what a camera sends now is a picture of something.
+ * Whether the stream is live, unmuted and decoded.
  *
  * @param {MediaStream | undefined} stream
- * @param {HTMLVideoElement} video that shows it
+ * @param {HTMLVideoElement} video that plays the stream
  */
 export function hasPicture(stream, video) {
   const tracks = stream?.getVideoTracks() ?? [];
-  const isThere = tracks.some((track) => track.readyState === "live" && !track.muted);
-  return isThere && video.videoWidth > 0 && video.videoHeight > 0;
+  const isLive = tracks.some((track) => track.readyState === "live" && !track.muted);
+  return isLive && video.videoWidth > 0 && video.videoHeight > 0;
 }
 
 /** @param {MediaStream} stream */
@@ -15,8 +15,8 @@ export function stopTracks(stream) {
   for (const track of stream.getTracks()) track.stop();
 }
 
-/** What is said of a camera that does not come. @param {unknown} error */
-export function codeOf(error) {
-  const refused = error instanceof DOMException && error.name === "NotAllowedError";
-  return refused ? "camera-refused" : "no-camera";
+/** Error code for a rejected `getUserMedia`. @param {unknown} error */
+export function cameraErrorCode(error) {
+  const isDenied = error instanceof DOMException && error.name === "NotAllowedError";
+  return isDenied ? "camera-refused" : "no-camera";
 }

@@ -1,13 +1,13 @@
 import { byId, onAction } from "../page/dom.js";
 import { showError } from "../page/notice.js";
 import { onLocaleChange, t } from "../words/words.js";
-import { codeOf, hasPicture, stopTracks } from "./camera-stream.js";
+import { cameraErrorCode, hasPicture, stopTracks } from "./camera-stream.js";
 
 const COUNTDOWN_S = 3;
-const WANTED = { video: { facingMode: "user", width: { ideal: 1920 }, height: { ideal: 1080 } } };
+const CONSTRAINTS = { video: { facingMode: "user", width: { ideal: 1920 }, height: { ideal: 1080 } } };
 
 /**
- * A photo of whoever sits before the camera. The preview is a mirror; the photo is not.
+ * Sets up the camera dialog. Its preview is mirrored; the photo is not.
  *
  * @param {(photo: Blob) => void} open
  */
@@ -17,9 +17,8 @@ export function setUpCamera(open) {
 }
 
 /**
- * The dialog and the camera behind it: closed → asking → live → counting → closed, and from everywhere back to closed.
- * The camera runs only while the dialog is live or counting: what leaves those states stops it, and a stream that
- * arrives in any state but asking is stopped at once.
+ * The camera dialog, a state machine: closed → asking → live → counting → closed; each state can return to closed.
+ * The camera runs only in the states live and counting. A stream that arrives in a state other than asking is stopped.
  */
 class Camera {
   /** @type {"closed" | "asking" | "live" | "counting"} */
@@ -29,10 +28,10 @@ class Camera {
   #status = byId("camera-status", HTMLParagraphElement);
   #countdown = byId("camera-countdown", HTMLOutputElement);
   #shutter = byId("camera-shutter", HTMLButtonElement);
-  /** Of the live camera; also tells one opening of the dialog from the next. @type {MediaStream | undefined} */
+  /** The running camera; its identity also detects a reopened dialog. @type {MediaStream | undefined} */
   #stream;
-  /** The browser is asked once at a time: its question may outlive the dialog, and the next opening takes the answer. */
-  #isAsked = false;
+  /** The permission prompt may outlive the dialog; when reopened, the dialog uses the pending request. */
+  #isRequesting = false;
   #tick = 0;
   #open;
 
@@ -40,33 +39,33 @@ class Camera {
   constructor(open) {
     this.#open = open;
     this.#dialog.addEventListener("cancel", () => this.#close());
-    // This one comes late: by then the dialog may be open again.
+    // Fires asynchronously: the dialog may be open again by then.
     this.#dialog.addEventListener("close", () => this.#dialog.open || this.#close());
-    this.#video.addEventListener("resize", () => this.#write());
-    this.#shutter.addEventListener("click", (event) => isFirst(event) && this.#countDown());
-    onAction("close-camera", (event) => isFirst(event) && this.#close());
+    this.#video.addEventListener("resize", () => this.#render());
+    this.#shutter.addEventListener("click", (event) => isFirstClick(event) && this.#countDown());
+    onAction("close-camera", (event) => isFirstClick(event) && this.#close());
     addEventListener("pagehide", () => this.#close());
-    onLocaleChange(() => this.#write());
+    onLocaleChange(() => this.#render());
   }
 
-  /** Opens the dialog at once, and the camera when the browser lets it. */
+  /** Opens the dialog, and the camera once the browser permits it. */
   start() {
     if (this.#state !== "closed") return;
-    this.#become("asking");
+    this.#setState("asking");
     this.#dialog.showModal();
-    if (!this.#isAsked) this.#ask();
+    if (!this.#isRequesting) this.#request();
   }
 
-  async #ask() {
-    this.#isAsked = true;
+  async #request() {
+    this.#isRequesting = true;
     try {
-      const stream = await navigator.mediaDevices.getUserMedia(WANTED);
+      const stream = await navigator.mediaDevices.getUserMedia(CONSTRAINTS);
       if (this.#state === "asking") this.#show(stream);
       else stopTracks(stream);
     } catch (error) {
-      if (this.#state === "asking") this.#giveUp(codeOf(error), error);
+      if (this.#state === "asking") this.#fail(cameraErrorCode(error), error);
     } finally {
-      this.#isAsked = false;
+      this.#isRequesting = false;
     }
   }
 
@@ -74,20 +73,20 @@ class Camera {
   #show(stream) {
     this.#stream = stream;
     for (const track of stream.getVideoTracks()) {
-      track.addEventListener("ended", () => this.#lose(stream));
-      // A muted camera gives black pictures.
-      for (const change of ["mute", "unmute"]) track.addEventListener(change, () => this.#write());
+      track.addEventListener("ended", () => this.#onLost(stream));
+      // A muted camera delivers black frames.
+      for (const change of ["mute", "unmute"]) track.addEventListener(change, () => this.#render());
     }
-    this.#become("live");
+    this.#setState("live");
     this.#video.srcObject = stream;
     this.#video.play().catch((error) => {
-      if (this.#stream === stream) this.#giveUp("no-camera", error);
+      if (this.#stream === stream) this.#fail("no-camera", error);
     });
   }
 
   #countDown() {
     if (this.#state !== "live" || !this.#hasPicture) return;
-    this.#become("counting");
+    this.#setState("counting");
     this.#count(COUNTDOWN_S);
   }
 
@@ -100,36 +99,35 @@ class Camera {
 
   async #take() {
     const stream = this.#stream;
-    if (!this.#hasPicture) return this.#lose(stream);
+    if (!this.#hasPicture) return this.#onLost(stream);
     const canvas = new OffscreenCanvas(this.#video.videoWidth, this.#video.videoHeight);
     canvas.getContext("2d")?.drawImage(this.#video, 0, 0);
     const photo = await canvas.convertToBlob({ type: "image/png" });
-    // Whoever closed the dialog meanwhile wanted no photo.
+    // The dialog was closed meanwhile.
     if (this.#stream !== stream) return;
     this.#close();
     this.#open(photo);
   }
 
-  /** Whether what the camera shows now is a picture of something. */
   get #hasPicture() {
     return hasPicture(this.#stream, this.#video);
   }
 
-  /** @param {MediaStream | undefined} stream that ended by itself: unplugged, or no longer allowed */
-  #lose(stream) {
-    if (stream && this.#stream === stream) this.#giveUp("camera-lost", "the camera's track ended or is muted");
+  /** @param {MediaStream | undefined} stream that ended: camera unplugged, or permission revoked */
+  #onLost(stream) {
+    if (stream && this.#stream === stream) this.#fail("camera-lost", "the camera's track ended or is muted");
   }
 
   /**
    * @param {string} code
    * @param {unknown} error
    */
-  #giveUp(code, error) {
+  #fail(code, error) {
     this.#close();
     showError({ code, message: String(error), hint: "" });
   }
 
-  /** The one way out: nothing that the camera gave stays. */
+  /** Stops the camera and closes the dialog; the only transition to closed. */
   #close() {
     if (this.#state === "closed") return;
     clearTimeout(this.#tick);
@@ -137,32 +135,32 @@ class Camera {
     this.#stream = undefined;
     this.#video.srcObject = null;
     this.#countdown.textContent = "";
-    this.#become("closed");
+    this.#setState("closed");
     this.#dialog.close();
   }
 
   /** @param {"closed" | "asking" | "live" | "counting"} state */
-  #become(state) {
+  #setState(state) {
     this.#state = state;
-    this.#write();
+    this.#render();
   }
 
-  #write() {
+  #render() {
     this.#dialog.dataset["state"] = this.#state;
     const isReady = this.#state === "live" && this.#hasPicture;
     const wasDisabled = this.#shutter.disabled;
     this.#shutter.disabled = !isReady;
     if (isReady && wasDisabled) this.#shutter.focus();
-    const waits = this.#state === "asking" || (this.#state === "live" && !isReady);
-    this.#status.textContent = waits ? t("camera.asking") : "";
+    const isWaiting = this.#state === "asking" || (this.#state === "live" && !isReady);
+    this.#status.textContent = isWaiting ? t("camera.asking") : "";
   }
 }
 
 /**
- * The second half of a double click that opened the dialog lands on what has come up under the pointer.
+ * False for the second click of a double click: it would hit a button of the dialog that the first one opened.
  *
  * @param {MouseEvent} click
  */
-function isFirst(click) {
+function isFirstClick(click) {
   return click.detail < 2;
 }

@@ -1,5 +1,5 @@
 /**
- * The middle of the rectangle around a face's landmarks, and its longer side, in px of the picture.
+ * Centre and longer side of the landmarks' bounding box, in px of the picture.
  *
  * @param {Float32Array} landmarks
  * @param {number} width px of the picture
@@ -12,23 +12,23 @@ export function faceBox(landmarks, width, height) {
   return { x: (left + right) / 2, y: (top + bottom) / 2, side: Math.max(right - left, bottom - top) };
 }
 
-/** How much of the photo around the face is shown, in sizes of the face. */
-const AROUND_FACE = 1.6;
+/** Side of the crop relative to the face. */
+const CROP_SCALE = 1.6;
 
 /**
- * The part of a picture that shows a face with something of what is around it, in whole px.
+ * Crop of a picture around a face, with a margin, in whole px.
  *
  * @param {Float32Array} landmarks
  * @param {{ width: number, height: number }} picture px
  */
-export function aroundFace(landmarks, picture) {
+export function faceCrop(landmarks, picture) {
   const { x, y, side: size } = faceBox(landmarks, picture.width, picture.height);
-  const side = Math.ceil(AROUND_FACE * size);
+  const side = Math.ceil(CROP_SCALE * size);
   const width = Math.min(side, picture.width);
   const height = Math.min(side, picture.height);
   return {
-    left: within(Math.round(x - width / 2), picture.width - width),
-    top: within(Math.round(y - height / 2), picture.height - height),
+    left: clamp(Math.round(x - width / 2), picture.width - width),
+    top: clamp(Math.round(y - height / 2), picture.height - height),
     width,
     height,
   };
@@ -36,8 +36,8 @@ export function aroundFace(landmarks, picture) {
 
 /**
  * @param {number} value
- * @param {number} most
+ * @param {number} max
  */
-function within(value, most) {
-  return Math.min(Math.max(value, 0), most);
+function clamp(value, max) {
+  return Math.min(Math.max(value, 0), max);
 }

@@ -5,16 +5,16 @@ import { faceBox } from "./face-box.js";
 /** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
 
 const THUMBNAIL_PX = 56;
-/** How much of the photo around a face its thumbnail shows, in sizes of the face. */
+/** Margin around a face in its thumbnail, relative to the face. */
 const MARGIN = 0.25;
 
-/** Over the stage: the faces of a photo that has several, and the way back to those that were shown before. */
+/** Strip over the stage: the faces of a photo with several faces, and the recent faces. */
 export class FaceChoice {
   #strip = byId("faces", HTMLElement);
   #group = byId("face-choice", HTMLFieldSetElement);
   #previous = byId("previous-face", HTMLButtonElement);
   #earlier = byId("earlier-faces", HTMLDivElement);
-  /** Shown before, the latest first. @type {OpenedFace[]} */
+  /** Shown before, latest first. @type {OpenedFace[]} */
   #before = [];
   /** @type {OpenedFace[]} */
   #faces = [];
@@ -33,31 +33,31 @@ export class FaceChoice {
     this.#choose = choose;
     this.#goBackTo = goBackTo;
     this.#previous.addEventListener("click", () => this.#before[0] && goBackTo(this.#before[0]));
-    onLocaleChange(() => this.#write());
+    onLocaleChange(() => this.#updateLabels());
   }
 
   /**
-   * Offers the faces of a photo and those that were shown before them; nothing to choose shows nothing.
+   * Shows the faces of a photo and the recent faces; hides the strip if there is nothing to choose.
    *
    * @param {OpenedFace[]} faces
-   * @param {OpenedFace[]} before the latest first
-   * @param {ImageBitmap} bitmap the picture of the faces
+   * @param {OpenedFace[]} before latest first
+   * @param {ImageBitmap} bitmap picture of the faces
    */
   async show(faces, before, bitmap) {
     const isGroup = faces.length > 1;
-    for (const face of faces) this.#thumbnailOf(face, bitmap);
+    for (const face of faces) this.#createThumbnail(face, bitmap);
     this.#group.hidden = !isGroup;
     this.#previous.hidden = before.length === 0;
     this.#strip.hidden = !isGroup && before.length === 0;
     this.#before = before;
     const [latest, ...earlier] = before;
-    const drawn = [this.#draw(byId("previous-thumbnail", HTMLCanvasElement), latest), ...this.#offerEarlier(earlier)];
-    if (faces !== this.#faces) drawn.push(...this.#offer(faces));
-    await Promise.all(drawn);
+    const drawing = [this.#draw(byId("previous-thumbnail", HTMLCanvasElement), latest), ...this.#showEarlier(earlier)];
+    if (faces !== this.#faces) drawing.push(...this.#showFaces(faces));
+    await Promise.all(drawing);
   }
 
   /** @param {OpenedFace[]} faces of earlier photos */
-  #offerEarlier(faces) {
+  #showEarlier(faces) {
     const buttons = faces.map((face) => {
       const button = make("button", "previous-face");
       button.type = "button";
@@ -66,11 +66,11 @@ export class FaceChoice {
     });
     for (const { button, canvas } of buttons) button.append(canvas);
     this.#earlier.replaceChildren(...buttons.map(({ button }) => button));
-    this.#write();
+    this.#updateLabels();
     return buttons.map(({ canvas, face }) => this.#draw(canvas, face));
   }
 
-  /** @param {OpenedFace | undefined} shown is the one that is chosen, whatever was pressed meanwhile */
+  /** Checks the radio button of the current face. @param {OpenedFace | undefined} shown */
   mark(shown) {
     this.#shown = shown;
     for (const [index, input] of this.#inputs().entries()) {
@@ -80,12 +80,12 @@ export class FaceChoice {
   }
 
   /** @param {OpenedFace[]} faces */
-  #offer(faces) {
+  #showFaces(faces) {
     this.#faces = faces;
     const options = faces.length < 2 ? [] : faces.map((face) => ({ face, canvas: make("canvas"), label: this.#option(face) }));
     for (const { label, canvas } of options) label.append(canvas);
     byId("face-options", HTMLDivElement).replaceChildren(...options.map(({ label }) => label));
-    this.#write();
+    this.#updateLabels();
     this.mark(this.#shown);
     return options.map(({ canvas, face }) => this.#draw(canvas, face));
   }
@@ -113,12 +113,12 @@ export class FaceChoice {
   }
 
   /**
-   * Is made once, while the picture is at hand.
+   * Created once, while the picture is available.
    *
    * @param {OpenedFace} face
    * @param {ImageBitmap} bitmap
    */
-  #thumbnailOf(face, bitmap) {
+  #createThumbnail(face, bitmap) {
     if (this.#thumbnails.has(face)) return;
     const { left, top, side } = boxOf(face);
     const side_px = Math.round(THUMBNAIL_PX * devicePixelRatio);
@@ -126,13 +126,13 @@ export class FaceChoice {
     this.#thumbnails.set(face, createImageBitmap(bitmap, left, top, side, side, size));
   }
 
-  #write() {
+  #updateLabels() {
     byId("face-choice-title", HTMLLegendElement).textContent = t("face.several", { n: this.#faces.length });
     for (const [index, input] of this.#inputs().entries()) input.setAttribute("aria-label", t("face.number", { n: index + 1 }));
     for (const [index, button] of this.#earlier.querySelectorAll("button").entries()) {
-      const words = t("face.earlier", { name: this.#before[index + 1]?.name ?? "" });
-      button.setAttribute("aria-label", words);
-      button.title = words;
+      const label = t("face.earlier", { name: this.#before[index + 1]?.name ?? "" });
+      button.setAttribute("aria-label", label);
+      button.title = label;
     }
   }
 
@@ -142,7 +142,7 @@ export class FaceChoice {
 }
 
 /**
- * The square around a face, in px of its picture.
+ * Square crop around a face, in px of its picture.
  *
  * @param {OpenedFace} face
  */

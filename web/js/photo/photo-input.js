@@ -1,13 +1,13 @@
 import { byId, isTyping, onAction } from "../page/dom.js";
 import { showError, showRemark } from "../page/notice.js";
 
-/** What the page can open, by name; a type alone would let other pictures go first. */
-const OPENS = /\.(jpe?g|png|webp|avif|glb|rosto)$/i;
-const OPENS_TYPE = /^(image\/(jpeg|png|webp|avif)|model\/gltf-binary)$/;
+/** File names that the page can open. */
+const SUPPORTED_NAME = /\.(jpe?g|png|webp|avif|glb|rosto)$/i;
+const SUPPORTED_TYPE = /^(image\/(jpeg|png|webp|avif)|model\/gltf-binary)$/;
 const PICTURE = /^image\//;
 
 /**
- * Every way in which a photo comes to the page: dropped anywhere, pasted, chosen, or the sample.
+ * Sets up the file chooser, drag and drop, and paste.
  *
  * @param {(photo: Blob) => void} open
  */
@@ -24,7 +24,7 @@ function setUpChooser(open) {
   const choose = () => input.click();
   input.addEventListener("change", () => {
     const files = [...(input.files ?? [])];
-    // The same file can be chosen twice in a row only from an empty input.
+    // Without a reset, choosing the same file again would not fire a change event.
     input.value = "";
     openBest(files, open);
   });
@@ -52,7 +52,7 @@ function setUpDrop(open) {
     veil.hidden = true;
     if (isTextForField(event, event.dataTransfer)) return;
     event.preventDefault();
-    if (event.dataTransfer) take(event.dataTransfer, open);
+    if (event.dataTransfer) openTransfer(event.dataTransfer, open);
   });
 }
 
@@ -61,12 +61,12 @@ function setUpPaste(open) {
   addEventListener("paste", (event) => {
     if (!event.clipboardData || isTextForField(event, event.clipboardData)) return;
     event.preventDefault();
-    take(event.clipboardData, open);
+    openTransfer(event.clipboardData, open);
   });
 }
 
 /**
- * Whether it is text on its way into a field that takes text.
+ * Whether text is dropped or pasted into a text field.
  *
  * @param {Event} event
  * @param {DataTransfer | null} transfer
@@ -76,35 +76,35 @@ function isTextForField(event, transfer) {
 }
 
 /**
- * Opens what was dropped or pasted, or says why it cannot.
+ * Opens a dropped or pasted file, or shows why it cannot.
  *
  * @param {DataTransfer} transfer
  * @param {(photo: Blob) => void} open
  */
-function take(transfer, open) {
+function openTransfer(transfer, open) {
   const items = [...transfer.items].filter((item) => item.kind === "file");
   const files = items.filter((item) => !item.webkitGetAsEntry()?.isDirectory).map((item) => item.getAsFile());
-  const there = files.filter((file) => file !== null);
-  if (there.length > 0) openBest(there, open);
+  const readable = files.filter((file) => file !== null);
+  if (readable.length > 0) openBest(readable, open);
   else if (items.length > 0) showError({ code: "folder", message: "only folders", hint: "" });
   else if (transfer.types.length > 0) showError({ code: "not-a-file", message: transfer.types.join(), hint: "" });
 }
 
 /**
- * Opens the first file that looks like what the page opens, and says so if there were others.
+ * Opens the first supported file, else the first picture, and shows a remark if there were other files.
  *
  * @param {File[]} files
  * @param {(photo: Blob) => void} open
  */
 function openBest(files, open) {
-  const best = files.find(opensHere) ?? files.find(({ type }) => PICTURE.test(type)) ?? files[0];
+  const best = files.find(isSupported) ?? files.find(({ type }) => PICTURE.test(type)) ?? files[0];
   if (!best) return;
   open(best);
-  // Opening has taken away what the page said before.
+  // After open(), which dismisses earlier notices.
   if (files.length > 1) showRemark("one-of-several", { n: files.length, name: best.name });
 }
 
 /** @param {File} file */
-function opensHere({ name, type }) {
-  return OPENS_TYPE.test(type) || OPENS.test(name);
+function isSupported({ name, type }) {
+  return SUPPORTED_TYPE.test(type) || SUPPORTED_NAME.test(name);
 }

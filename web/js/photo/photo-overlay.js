@@ -1,54 +1,54 @@
 import { byId } from "../page/dom.js";
 import { onLocaleChange, t } from "../words/words.js";
-import { aroundFace } from "./face-box.js";
-import { LivePhoto } from "./live-photo.js";
-import { drawLandmarks, LANDMARK_COUNT, ring } from "./photo-landmarks.js";
+import { faceCrop } from "./face-box.js";
+import { PanelPhoto } from "./panel-photo.js";
+import { drawCircle, drawLandmarks, LANDMARK_COUNT } from "./photo-landmarks.js";
 
 /**
  * @typedef {import("../work/work.js").OpenedFace} OpenedFace
- * @typedef {import("./live-photo.js").Part} Part
+ * @typedef {import("./panel-photo.js").Drawable} Drawable
  *
- * @typedef {object} Prepared what is shown of a face's picture
+ * @typedef {object} Prepared
  * @property {OpenedFace} face
  * @property {{ left: number, top: number, width: number, height: number }} crop in px of the picture
- * @property {ImageBitmap} part
+ * @property {ImageBitmap} part the crop, scaled down to the largest display size
  */
 
-/** The picture is no taller than this, in CSS px. */
+/** Maximum height of the picture, in CSS px. */
 const MAX_HEIGHT_PX = 320;
 
-/** While an edit goes on it is drawn this often. */
+/** Throttle interval for redraws during an edit. */
 const DRAW_EVERY_MS = 33;
 
-/** What the row shows of it while it is folded, in CSS px. */
+/** Size of the thumbnail in the collapsed row, in CSS px. */
 const THUMBNAIL_PX = 56;
 
-/** Beside the stage it is no taller than this, in CSS px. */
-const MAX_BESIDE_PX = 720;
+/** Maximum height of the photo pane next to the stage, in CSS px. */
+const MAX_PANE_PX = 720;
 
-/** A pointer this near a landmark means it, in CSS px. */
-const REACH_PX = 10;
+/** Hit radius of a landmark, in CSS px. */
+const HIT_RADIUS_PX = 10;
 
-/** The photo with the landmarks of one face drawn on it. Needs no WebGPU. */
+/** The photo with the landmarks of one face, drawn on a 2D canvas. */
 export class PhotoOverlay {
   #canvas = byId("photo-picture", HTMLCanvasElement);
-  /** What is shown of the picture, no larger than it can be shown. @type {ImageBitmap | undefined} */
+  /** @type {ImageBitmap | undefined} */
   #part;
   /** @type {Float32Array} */
   #landmarks = new Float32Array();
   #picture = { width: 0, height: 0 };
-  /** Where in the picture that part is, in its px. */
+  /** Position of `#part` in the picture, in px of the picture. */
   #crop = { left: 0, top: 0, width: 1, height: 1 };
   #size = { width_px: 0, height_px: 0 };
   /** @type {number | undefined} */
   #selected;
   /** @type {number | undefined} */
   #hovered;
-  /** Draws the part with the edits, once there is a studio. @type {LivePhoto | undefined} */
-  #live;
-  /** Where the edits have taken the points, in shares of the photo's size. @type {Float32Array | undefined} */
+  /** Draws the edited photo; undefined without a studio. @type {PanelPhoto | undefined} */
+  #edited;
+  /** Positions of the points after the edits, normalised to the photo's size. @type {Float32Array | undefined} */
   #moved;
-  #soon = 0;
+  #timer = 0;
 
   constructor() {
     new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
@@ -56,43 +56,42 @@ export class PhotoOverlay {
   }
 
   /**
-   * Follows the edits from now on.
+   * Shows the host's edits from now on.
    *
    * @param {import("../viewport/host.js").Host} host
    */
   follow(host) {
-    this.#live = new LivePhoto(host);
+    this.#edited = new PanelPhoto(host);
     byId("section-photo", HTMLDetailsElement).addEventListener("toggle", () => this.#draw());
     host.onPhoto(() => this.#drawSoon(host));
   }
 
   /**
-   * Tells which landmark the pointer is over, which one is clicked, and that the photo itself is.
+   * Adds listeners for a landmark under the pointer, a click on a landmark, and a click elsewhere on the photo.
    *
-   * @param {{ hover: (landmark: number | undefined) => void, choose: (landmark: number) => void, press: () => void }} told
+   * @param {{ hover: (landmark: number | undefined) => void, choose: (landmark: number) => void, press: () => void }} listener
    */
-  listen(told) {
-    this.#canvas.addEventListener("pointermove", (event) => told.hover(this.#nearest(event)));
-    this.#canvas.addEventListener("pointerleave", () => told.hover(undefined));
+  listen(listener) {
+    this.#canvas.addEventListener("pointermove", (event) => listener.hover(this.#nearest(event)));
+    this.#canvas.addEventListener("pointerleave", () => listener.hover(undefined));
     this.#canvas.addEventListener("click", (event) => {
       const landmark = this.#nearest(event);
-      if (landmark === undefined) told.press();
-      else told.choose(landmark);
+      if (landmark === undefined) listener.press();
+      else listener.choose(landmark);
     });
   }
 
   /**
-   * Gets ready what is shown of a face's picture. Only that is kept, and drawn: the whole picture would hold the page up on its
-   * way to the GPU.
+   * Crops and scales a face's picture for display: uploading the full picture to the GPU would block the page.
    *
    * @param {OpenedFace} face
    * @param {ImageBitmap} picture
    * @returns {Promise<Prepared>}
    */
   async prepare(face, picture) {
-    const crop = aroundFace(face.landmarks, picture);
+    const crop = faceCrop(face.landmarks, picture);
     const { left, top, width, height } = crop;
-    const resizeHeight = Math.min(height, Math.round(MAX_BESIDE_PX * devicePixelRatio));
+    const resizeHeight = Math.min(height, Math.round(MAX_PANE_PX * devicePixelRatio));
     const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
     return { face, crop, part };
   }
@@ -109,14 +108,14 @@ export class PhotoOverlay {
     this.#landmarks = face.landmarks;
     this.#crop = crop;
     this.#moved = undefined;
-    this.#live?.take(part, crop, face.width_px / face.pictureWidth_px);
+    this.#edited?.set(part, crop, face.width_px / face.pictureWidth_px);
     this.#size = { width_px: face.width_px, height_px: face.height_px };
     byId("photo", HTMLDivElement).hidden = false;
     this.#writeCaption();
     this.#draw();
   }
 
-  /** @param {Part} part */
+  /** @param {Drawable} part */
   #drawThumbnail(part) {
     const thumbnail = byId("photo-thumbnail", HTMLCanvasElement);
     const side = Math.min(part.width, part.height);
@@ -127,7 +126,7 @@ export class PhotoOverlay {
   }
 
   /**
-   * Marks the landmark being edited and the one under the pointer, if they are landmarks.
+   * Highlights the selected and the hovered vertex, if they are landmarks.
    *
    * @param {number | undefined} selected
    * @param {number | undefined} hovered
@@ -140,32 +139,32 @@ export class PhotoOverlay {
   }
 
   /**
-   * Not oftener than the eye sees beside what is being done on the stage.
+   * Throttled, as the user watches the stage during an edit.
    *
    * @param {import("../viewport/host.js").Host} host
    */
   #drawSoon(host) {
-    if (this.#soon !== 0) return;
-    this.#soon = setTimeout(() => {
-      this.#soon = 0;
+    if (this.#timer !== 0) return;
+    this.#timer = setTimeout(() => {
+      this.#timer = 0;
       this.#moved = host.ask((studio) => studio.photoLandmarks());
-      this.#live?.note();
+      this.#edited?.invalidate();
       this.#draw();
     }, DRAW_EVERY_MS);
   }
 
   #draw() {
-    const taken = this.#part;
-    if (!taken) return;
+    const original = this.#part;
+    if (!original) return;
     const photo = byId("photo", HTMLDivElement);
-    const room_px = photo.checkVisibility() ? photo.clientWidth : 0;
-    const widest_px = Math.max(room_px, THUMBNAIL_PX, byId("photo-pane", HTMLButtonElement).clientWidth);
-    const part = this.#live?.drawn(widest_px * devicePixelRatio) ?? taken;
+    const panel_px = photo.checkVisibility() ? photo.clientWidth : 0;
+    const widest_px = Math.max(panel_px, THUMBNAIL_PX, byId("photo-pane", HTMLButtonElement).clientWidth);
+    const part = this.#edited?.drawn(widest_px * devicePixelRatio) ?? original;
     this.#drawThumbnail(part);
-    drawBeside(part);
-    if (room_px === 0) return;
+    drawPane(part);
+    if (panel_px === 0) return;
     const { width, height } = this.#crop;
-    const scale = Math.min(room_px / width, MAX_HEIGHT_PX / height);
+    const scale = Math.min(panel_px / width, MAX_HEIGHT_PX / height);
     const ratio = devicePixelRatio;
     this.#canvas.width = Math.round(width * scale * ratio);
     this.#canvas.height = Math.round(height * scale * ratio);
@@ -174,22 +173,22 @@ export class PhotoOverlay {
     if (!context) return;
     context.imageSmoothingQuality = "high";
     context.drawImage(part, 0, 0, this.#canvas.width, this.#canvas.height);
-    drawLandmarks(context, (landmark) => this.#place(landmark), this.#landmarks.length / 3, ratio);
+    drawLandmarks(context, (landmark) => this.#positionOf(landmark), this.#landmarks.length / 3, ratio);
     for (const [landmark, radius, width] of /** @type {const} */ ([[this.#hovered, 4, 1], [this.#selected, 5, 2]])) {
-      // Only landmarks are on the photo.
-      if (landmark !== undefined && landmark < LANDMARK_COUNT) ring(context, this.#place(landmark), radius * ratio, width * ratio);
+      // Other vertices are not on the photo.
+      if (landmark !== undefined && landmark < LANDMARK_COUNT) drawCircle(context, this.#positionOf(landmark), radius * ratio, width * ratio);
     }
   }
 
   /**
-   * Where a landmark lies on the canvas, in its own px.
+   * Position of a landmark on the canvas, in canvas px.
    *
    * @param {number} landmark
    */
-  #place(landmark) {
+  #positionOf(landmark) {
     const { left, top, width, height } = this.#crop;
-    const [x_share = 0, y_share = 0] = this.#moved?.subarray(2 * landmark, 2 * landmark + 2) ?? this.#landmarks.subarray(3 * landmark, 3 * landmark + 2);
-    const [x_px, y_px] = [x_share * this.#picture.width, y_share * this.#picture.height];
+    const [x = 0, y = 0] = this.#moved?.subarray(2 * landmark, 2 * landmark + 2) ?? this.#landmarks.subarray(3 * landmark, 3 * landmark + 2);
+    const [x_px, y_px] = [x * this.#picture.width, y * this.#picture.height];
     return { x: ((x_px - left) / width) * this.#canvas.width, y: ((y_px - top) / height) * this.#canvas.height };
   }
 
@@ -200,10 +199,10 @@ export class PhotoOverlay {
     const x = (event.clientX - box.left) * ratio;
     const y = (event.clientY - box.top) * ratio;
     let nearest;
-    let nearest_px = REACH_PX * ratio;
+    let nearest_px = HIT_RADIUS_PX * ratio;
     for (let landmark = 0; landmark < LANDMARK_COUNT; landmark++) {
-      const place = this.#place(landmark);
-      const distance_px = Math.hypot(place.x - x, place.y - y);
+      const position = this.#positionOf(landmark);
+      const distance_px = Math.hypot(position.x - x, position.y - y);
       if (distance_px < nearest_px) [nearest, nearest_px] = [landmark, distance_px];
     }
     return nearest;
@@ -215,8 +214,8 @@ export class PhotoOverlay {
   }
 }
 
-/** @param {Part} part */
-function drawBeside(part) {
+/** @param {Drawable} part */
+function drawPane(part) {
   if (byId("photo-pane", HTMLButtonElement).hidden) return;
   const canvas = byId("photo-pane-canvas", HTMLCanvasElement);
   Object.assign(canvas, { width: part.width, height: part.height });

@@ -3,7 +3,7 @@ import { noFace } from "../page/page-error.js";
 import { facesOf } from "../work/work.js";
 
 /**
- * The faces of a photo, the most prominent first, with the progress shown for as long as it is wanted.
+ * Finds the faces in a photo, most prominent first, and shows the progress while `isWanted` returns true.
  *
  * @param {import("./vision-client.js").VisionClient} vision
  * @param {Blob} photo
@@ -13,7 +13,7 @@ import { facesOf } from "../work/work.js";
  */
 export async function readPhoto(vision, photo, name, isWanted) {
   showLoading();
-  // The worker may have to load before it begins.
+  // Measure from the first progress report, so that loading the worker does not count.
   let begun_ms = NaN;
   const found = await vision.find(photo, undefined, (stage, fraction) => {
     if (Number.isNaN(begun_ms)) begun_ms = performance.now();

@@ -1,15 +1,14 @@
 import { byId } from "../page/dom.js";
 
-/** A server that has not sent it all by then is not going to. */
-const PATIENCE_MS = 60_000;
+const TIMEOUT_MS = 60_000;
 
-/** Where the head is in it, px. */
+/** The head in the sample photo, px. */
 const HEAD = { left: 120, top: 16, side: 208 };
 
 /** @type {Promise<Blob> | undefined} */
 let sample;
 
-/** The sample portrait, fetched once, or again after a failure. */
+/** Fetches the sample photo once; retries after a failure. */
 export function loadSample() {
   sample ??= fetchSample().catch((error) => {
     sample = undefined;
@@ -18,7 +17,7 @@ export function loadSample() {
   return sample;
 }
 
-/** Fetches it, and shows on its button what it is of. */
+/** Shows the sample photo as a thumbnail on its button. */
 export async function showSample() {
   const canvas = byId("sample-thumbnail", HTMLCanvasElement);
   const { left, top, side } = HEAD;
@@ -31,7 +30,7 @@ export async function showSample() {
 
 async function fetchSample() {
   try {
-    const response = await fetch(new URL("../../assets/sample.png", import.meta.url), { signal: AbortSignal.timeout(PATIENCE_MS) });
+    const response = await fetch(new URL("../../assets/sample.png", import.meta.url), { signal: AbortSignal.timeout(TIMEOUT_MS) });
     if (!response.ok) throw new Error(`status ${response.status}`);
     return await response.blob();
   } catch (error) {

@@ -1,62 +1,69 @@
 import { filesBase } from "../files.js";
-import { listHash } from "../page/built.js";
-import { ownScript } from "../page/trusted.js";
-import { Following } from "./following.js";
+import { listHash } from "../page/integrity.js";
+import { scriptUrl } from "../page/trusted.js";
+import { FrameQueue } from "./frame-queue.js";
 
 /**
  * @typedef {import("../worker/protocol.js").Request} Request
  * @typedef {import("../worker/protocol.js").Reply} Reply
  * @typedef {import("../worker/protocol.js").Stage} Stage
  * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
- * @typedef {import("../worker/protocol.js").Followed} Followed
- * @typedef {import("../worker/protocol.js").Edited} Edited
- * @typedef {import("../worker/protocol.js").Untextured} Untextured
- * @typedef {{ resolve: (answer: any) => void, reject: (error: unknown) => void, died: string }} Asking who waits, and the code of what did not come about if the worker dies
- * @typedef {{ resolve: (found: FoundFaces) => void, reject: (error: unknown) => void, report: (stage: Stage, fraction: number) => void }} Waiting
+ * @typedef {import("../worker/protocol.js").FollowedFrame} FollowedFrame
+ * @typedef {import("../worker/protocol.js").PhotoEdit} PhotoEdit
+ * @typedef {import("../worker/protocol.js").TextureTask} TextureTask
+ *
+ * @typedef {object} PendingTask
+ * @property {(result: any) => void} resolve
+ * @property {(error: unknown) => void} reject
+ * @property {string} diedCode error code if the worker dies
+ *
+ * @typedef {object} PendingSearch
+ * @property {(found: FoundFaces) => void} resolve
+ * @property {(error: unknown) => void} reject
+ * @property {(stage: Stage, fraction: number) => void} report
  */
 
-/** A worker silent for this long while somebody waits is taken for dead; one that loads tells of every part that arrives. */
+/** Watchdog timeout while requests are pending. A worker that is loading reports progress, which resets it. */
 const SILENCE_MS = 60_000;
 
-/** A group photo offers this many faces at most. */
 const MAX_FACES = 20;
 
-/** Thrown to whoever waits for a photo that a newer one has replaced. */
+/** Rejection reason when a newer photo supersedes this one. */
 export class Replaced extends Error {}
 
-/** The page's side of the worker: starts it, asks it, and starts it again when it dies. */
+/** Client of the vision worker; starts it, and restarts it after a crash. */
 export class VisionClient {
   /** @type {Worker | undefined} */
   #worker;
-  /** @type {Map<number, Waiting>} */
-  #waiting = new Map();
-  /** Who waits for something else than faces. @type {Map<number, Asking>} */
-  #asking = new Map();
+  /** @type {Map<number, PendingSearch>} */
+  #searches = new Map();
+  /** @type {Map<number, PendingTask>} */
+  #tasks = new Map();
   #lastId = 0;
-  #silence = 0;
+  #watchdog = 0;
   #starts = 0;
   #isReady = false;
-  #following = new Following((request, transfer) => this.#post(request, transfer));
-  /** Resolves once the worker has loaded, or once it is clear that it will not. @type {Promise<void>} */
+  #frames = new FrameQueue((request, transfer) => this.#post(request, transfer));
+  /** Resolves once the worker has loaded or failed to. @type {Promise<void>} */
   ready;
   /** @type {() => void} */
-  #nowReady = () => {};
+  #resolveReady = () => {};
 
   constructor() {
     this.ready = this.#untilReady();
   }
 
-  /** How often a worker has been started. */
+  /** Number of workers started so far. */
   get starts() {
     return this.#starts;
   }
 
-  /** Starts the worker unless one is there. */
+  /** Starts the worker if none is running. */
   start() {
     if (this.#worker) return;
     this.#starts += 1;
     this.#isReady = false;
-    const worker = workerOfThisPage();
+    const worker = createWorker();
     worker.addEventListener("message", (event) => this.#onMessage(worker, event.data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();
@@ -66,14 +73,14 @@ export class VisionClient {
     this.#post({ type: "load", base: filesBase(), list: listHash() });
   }
 
-  /** Ends the worker and gives its memory back; whoever still waits hears so. The next photo starts another. */
+  /** Terminates the worker, which frees its memory and rejects pending requests. The next request starts another. */
   end() {
     if (this.#worker) this.#terminate(this.#worker, { code: "worker-died", message: "the worker was ended", hint: "" });
     this.ready = this.#untilReady();
   }
 
   /**
-   * Finds the faces of a photo. A newer photo replaces an older one, whose promise is then rejected with `Replaced`.
+   * Finds the faces in a photo. A newer call rejects the pending one with `Replaced`.
    *
    * @param {Blob} photo
    * @param {number} [maxFaces]
@@ -81,74 +88,74 @@ export class VisionClient {
    * @returns {Promise<FoundFaces>}
    */
   async find(photo, maxFaces = MAX_FACES, report = () => {}) {
-    this.#rejectAll(new Replaced());
+    this.#rejectSearches(new Replaced());
     this.start();
     const id = ++this.#lastId;
     return new Promise((resolve, reject) => {
-      this.#waiting.set(id, { resolve, reject, report });
+      this.#searches.set(id, { resolve, reject, report });
       this.#post({ type: "find", id, photo, maxFaces });
-      this.#watchSilence();
+      this.#resetWatchdog();
     });
   }
 
   /**
-   * A photo with what was edited in it, as a file.
+   * Draws the edited photo as a file.
    *
-   * @param {Edited} edited
+   * @param {PhotoEdit} edited
    * @returns {Promise<Blob>}
    */
   draw(edited) {
     const buffers = [edited.from_px.buffer, edited.to_px.buffer, edited.triangles.buffer];
-    return this.#ask((id) => ({ type: "draw", id, edited }), buffers, "photo-not-written");
+    return this.#request((id) => ({ type: "draw", id, edited }), buffers, "photo-not-written");
   }
 
   /**
-   * The texture of a whole face, RGBA.
+   * Makes the RGBA texture of a complete face.
    *
-   * @param {Untextured} face
+   * @param {TextureTask} face
    * @returns {Promise<Uint8Array>}
    */
   texture(face) {
-    return this.#ask((id) => ({ type: "texture", id, face }), [face.plan.buffer], "texture-not-made");
+    return this.#request((id) => ({ type: "texture", id, face }), [face.plan.buffer], "texture-not-made");
   }
 
   /**
    * @param {(id: number) => Request} request
    * @param {Transferable[]} transfer
-   * @param {string} died the code of what did not come about if the worker dies
+   * @param {string} diedCode error code if the worker dies
    * @returns {Promise<any>}
    */
-  #ask(request, transfer, died) {
+  #request(request, transfer, diedCode) {
     this.start();
     const id = ++this.#lastId;
     return new Promise((resolve, reject) => {
-      this.#asking.set(id, { resolve, reject, died });
+      this.#tasks.set(id, { resolve, reject, diedCode });
       this.#post(request(id), transfer);
-      this.#watchSilence();
+      this.#resetWatchdog();
     });
   }
 
   /**
-   * Follows a face into the next frame of a film. The worker has one frame at a time, and one waits: a newer one replaces it,
-   * and its promise resolves to nothing. Frames are handed over, and closed where they do not come back; whoever is given
-   * one closes it. When the worker dies, whoever waits hears so, and may go on with the next frame.
+   * Follows a face into the next frame of a video. One frame is processed at a time and one waits. A newer frame replaces the
+   * waiting one, whose promise resolves to undefined. Takes ownership of `frame`; the caller closes the frame in the result.
+   * If the worker dies, the promise rejects, and the next frame starts another worker.
    *
-   * @param {ImageBitmap} frame upright, of any size; more than 640 px on the longer side are of no use to the networks
-   * @param {number} time_ms when it was taken, from any beginning
-   * @returns {Promise<Followed | undefined>}
+   * @param {ImageBitmap} frame upright, of any size; frames over 640 px on the longer side are scaled down
+   * @param {number} time_ms timestamp, from any origin
+   * @returns {Promise<FollowedFrame | undefined>}
    */
   follow(frame, time_ms) {
     this.start();
-    const followed = this.#following.follow(frame, time_ms);
-    // Frames that come while the worker is silent do not prolong its time.
-    if (this.#silence === 0) this.#watchSilence();
+    const followed = this.#frames.follow(frame, time_ms);
+    // New frames do not extend the timeout of a silent worker.
+    if (this.#watchdog === 0) this.#resetWatchdog();
     return followed;
   }
 
-  /** Forgets the face that is followed. What has not been answered resolves to nothing. */
+  /** Stops following; pending frames resolve to undefined. */
   stopFollowing() {
-    this.#following.stop();
-    this.#watchSilence();
+    this.#frames.stop();
+    this.#resetWatchdog();
   }
 
   /**
@@ -165,50 +172,50 @@ export class VisionClient {
    */
   #onMessage(worker, reply) {
     if (worker !== this.#worker) return;
-    this.#watchSilence();
+    this.#resetWatchdog();
     switch (reply.type) {
       case "alive":
-        return this.#noticeDeath(worker, reply.lock);
+        return this.#watchForDeath(worker, reply.lock);
       case "loading":
         return;
       case "ready":
         this.#isReady = true;
-        this.#following.open();
-        return this.#nowReady();
+        this.#frames.open();
+        return this.#resolveReady();
       case "unusable":
         return this.#terminate(worker, reply.error);
       case "progress":
-        return this.#waiting.get(reply.id)?.report(reply.stage, reply.fraction);
+        return this.#searches.get(reply.id)?.report(reply.stage, reply.fraction);
       case "found":
-        return this.#settle(reply.id)?.resolve(reply.found);
+        return this.#takeSearch(reply.id)?.resolve(reply.found);
       case "failed":
-        return (this.#settle(reply.id) ?? this.#answered(reply.id))?.reject(reply.error);
+        return (this.#takeSearch(reply.id) ?? this.#takeTask(reply.id))?.reject(reply.error);
       case "drawn":
-        return this.#answered(reply.id)?.resolve(reply.file);
+        return this.#takeTask(reply.id)?.resolve(reply.file);
       case "textured":
-        return this.#answered(reply.id)?.resolve(reply.pixels);
+        return this.#takeTask(reply.id)?.resolve(reply.pixels);
       case "followed":
-        this.#following.onMessage(reply.id, reply.followed);
-        return this.#watchSilence();
+        this.#frames.onMessage(reply.id, reply.followed);
+        return this.#resetWatchdog();
       case "not-followed":
-        this.#following.fail(reply.id, reply.error);
-        return this.#watchSilence();
+        this.#frames.fail(reply.id, reply.error);
+        return this.#resetWatchdog();
       case "trapped":
-        return this.#replace(worker, reply.message);
+        return this.#restart(worker, reply.message);
     }
   }
 
   /**
-   * The worker holds this lock while it lives; being granted it means that the worker is gone.
+   * Waits for a lock that the worker holds while it lives: it is granted once the worker has ended.
    *
    * @param {Worker} worker
    * @param {string} lock
    */
-  async #noticeDeath(worker, lock) {
+  async #watchForDeath(worker, lock) {
     await navigator.locks.request(lock, () => {});
     if (worker !== this.#worker) return;
-    // One that dies before it has loaded would die again: the next photo tries once more.
-    if (this.#isReady) this.#replace(worker, "the worker ended");
+    // Do not restart a worker that died while loading, as it would fail again; the next request retries.
+    if (this.#isReady) this.#restart(worker, "the worker ended");
     else this.#terminate(worker, { code: "worker-died", message: "the worker ended while loading", hint: "" });
   }
 
@@ -216,7 +223,7 @@ export class VisionClient {
    * @param {Worker} worker
    * @param {string} message
    */
-  #replace(worker, message) {
+  #restart(worker, message) {
     this.#terminate(worker, { code: "worker-died", message, hint: "" });
     this.ready = this.#untilReady();
     this.start();
@@ -229,57 +236,57 @@ export class VisionClient {
   #terminate(worker, error) {
     worker.terminate();
     if (worker === this.#worker) this.#worker = undefined;
-    this.#nowReady();
-    this.#rejectAll(error);
-    for (const [id, { died }] of [...this.#asking]) this.#answered(id)?.reject(error.code === "worker-died" ? { ...error, code: died } : error);
-    this.#following.end(error);
-    this.#watchSilence();
+    this.#resolveReady();
+    this.#rejectSearches(error);
+    for (const [id, { diedCode }] of [...this.#tasks]) this.#takeTask(id)?.reject(error.code === "worker-died" ? { ...error, code: diedCode } : error);
+    this.#frames.end(error);
+    this.#resetWatchdog();
   }
 
   /** @param {number} id */
-  #settle(id) {
-    const waiting = this.#waiting.get(id);
-    this.#waiting.delete(id);
-    this.#watchSilence();
-    return waiting;
+  #takeSearch(id) {
+    const search = this.#searches.get(id);
+    this.#searches.delete(id);
+    this.#resetWatchdog();
+    return search;
   }
 
   /** @param {number} id */
-  #answered(id) {
-    const waiting = this.#asking.get(id);
-    this.#asking.delete(id);
-    this.#watchSilence();
-    return waiting;
+  #takeTask(id) {
+    const task = this.#tasks.get(id);
+    this.#tasks.delete(id);
+    this.#resetWatchdog();
+    return task;
   }
 
   /** @param {unknown} error */
-  #rejectAll(error) {
-    for (const id of [...this.#waiting.keys()]) this.#settle(id)?.reject(error);
+  #rejectSearches(error) {
+    for (const id of [...this.#searches.keys()]) this.#takeSearch(id)?.reject(error);
   }
 
-  #watchSilence() {
-    clearTimeout(this.#silence);
-    const isAnyoneWaiting = this.#waiting.size + this.#asking.size > 0 || this.#following.isWaiting;
-    this.#silence = isAnyoneWaiting ? setTimeout(() => this.#endSilence(), SILENCE_MS) : 0;
+  #resetWatchdog() {
+    clearTimeout(this.#watchdog);
+    const isPending = this.#searches.size + this.#tasks.size > 0 || this.#frames.isWaiting;
+    this.#watchdog = isPending ? setTimeout(() => this.#onSilence(), SILENCE_MS) : 0;
   }
 
-  /** A worker that never came is not started again by itself: the next photo does that. */
-  #endSilence() {
+  /** Restarts the worker, unless it has not loaded: then the next request retries. */
+  #onSilence() {
     const message = `silent for ${SILENCE_MS / 1000} s`;
     if (!this.#worker) return;
-    if (this.#isReady) this.#replace(this.#worker, message);
+    if (this.#isReady) this.#restart(this.#worker, message);
     else this.#terminate(this.#worker, { code: "not-loaded", message, hint: "" });
   }
 
   #untilReady() {
     return new Promise((/** @type {(value: void) => void} */ resolve) => {
-      this.#nowReady = resolve;
+      this.#resolveReady = resolve;
     });
   }
 }
 
-/** On a page that vouches for its files, by its policy; elsewhere, written out as bundlers look for it. */
-function workerOfThisPage() {
-  if (listHash()) return new Worker(ownScript("js/worker/vision-worker.js"), { type: "module" });
+/** On a page with an integrity list, uses its Trusted Types policy; elsewhere, the form that bundlers recognise. */
+function createWorker() {
+  if (listHash()) return new Worker(scriptUrl("js/worker/vision-worker.js"), { type: "module" });
   return new Worker(new URL("../worker/vision-worker.js", import.meta.url), { type: "module" });
 }

@@ -1,12 +1,12 @@
 import { checkSize } from "../../wasm/rosto-vision-web.js";
 
 /**
- * A photo as the browser decodes it, which may know more formats than the module does: an upright PNG in sRGB. Nothing if
- * the browser cannot decode it either.
+ * Decodes a photo with the browser, which may support more formats than the module. Returns an upright sRGB PNG, or undefined
+ * if the browser cannot decode the photo.
  *
  * @param {Blob} photo
  */
-export async function decodedByBrowser(photo) {
+export async function decodeWithBrowser(photo) {
   const bitmap = await createImageBitmap(photo).catch(() => undefined);
   if (!bitmap) return undefined;
   const { width, height } = bitmap;

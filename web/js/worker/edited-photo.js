@@ -1,28 +1,28 @@
 /**
- * A photo with what was edited in it, as a file.
+ * Draws the edited photo as a file.
  *
- * @typedef {import("./protocol.js").Edited} Edited
+ * @typedef {import("./protocol.js").PhotoEdit} PhotoEdit
  */
 import { Warped } from "../../wasm/rosto-vision-web.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
-import { decodedByBrowser } from "./browser-decoder.js";
+import { decodeWithBrowser } from "./browser-decoder.js";
 
-/** Visually without loss. */
+/** Visually lossless. */
 const JPEG_QUALITY = 0.95;
 
 /**
- * The photo at its full size, upright and in sRGB. Of what its file told besides, such as where it was taken, nothing is left.
+ * Draws the photo at full size, upright and in sRGB, without metadata such as its location.
  *
- * @param {Edited} edited
+ * @param {PhotoEdit} edited
  * @returns {Promise<Blob>}
  */
 export async function drawEdited(edited) {
-  const { width, height, pixels } = await drawnDecoded(edited);
+  const { width, height, pixels } = await decodeAndWarp(edited);
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d", { willReadFrequently: true });
   context?.putImageData(new ImageData(pixels, width, height), 0, 0);
-  // A JPEG has no transparency: what is below is white.
+  // A JPEG has no transparency.
   if (context && edited.format === "image/jpeg") fillBelow(context, "white");
   return canvas.convertToBlob({ type: edited.format, quality: JPEG_QUALITY });
 }
@@ -37,22 +37,22 @@ function fillBelow(context, colour) {
   context.fillRect(0, 0, context.canvas.width, context.canvas.height);
 }
 
-/** @param {Edited} edited whose photo the browser decodes where the module does not read its format */
-async function drawnDecoded(edited) {
+/** Falls back to the browser's decoder for formats that the module does not read. @param {PhotoEdit} edited */
+async function decodeAndWarp(edited) {
   try {
-    return drawn(await bytesOf(edited.photo), edited);
+    return warp(await bytesOf(edited.photo), edited);
   } catch (error) {
-    const decoded = asPageError(error).code === "unsupported-format" ? await decodedByBrowser(edited.photo) : undefined;
+    const decoded = asPageError(error).code === "unsupported-format" ? await decodeWithBrowser(edited.photo) : undefined;
     if (!decoded) throw error;
-    return drawn(await bytesOf(decoded), edited);
+    return warp(await bytesOf(decoded), edited);
   }
 }
 
 /**
  * @param {Uint8Array} bytes
- * @param {Edited} edited
+ * @param {PhotoEdit} edited
  */
-function drawn(bytes, { width_px, from_px, to_px, triangles }) {
+function warp(bytes, { width_px, from_px, to_px, triangles }) {
   const warped = new Warped(bytes, width_px, from_px, to_px, triangles);
   try {
     const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (warped.pixels().buffer));

@@ -1,54 +1,54 @@
 /**
- * What went wrong, in the form in which both wasm modules throw it.
+ * An error, as both wasm modules throw it.
  *
  * @typedef {{ code: string, message: string, hint: string }} PageError
  */
 
 /**
- * What the page and its worker say to each other. Buffers and bitmaps are transferred, none is copied.
+ * Messages between the page and its worker. Buffers and bitmaps are transferred, not copied.
  *
  * @typedef {"decode" | "detect" | "landmarks"} Stage
  *
  * @typedef {object} FoundFace
- * @property {boolean} isDoubtful it may not be a face
- * @property {Float32Array} landmarks 478 × (x/W, y/H, z/W), MediaPipe's normalised convention; those of the irises last
+ * @property {boolean} isDoubtful possibly not a face
+ * @property {Float32Array} landmarks 478 × (x/W, y/H, z/W), MediaPipe's normalised convention, irises last
  * @property {Uint8Array} colours 468 × sRGB
  *
  * @typedef {object} FoundFaces
  * @property {number} width_px of the upright photo in which the landmarks were found
  * @property {number} height_px
- * @property {number | undefined} focalLength_mm of the lens for a frame of 36 × 24 mm, if the photo says so
- * @property {FoundFace[]} faces best first; empty when there is no face
+ * @property {number | undefined} focalLength_mm 35 mm equivalent from the photo's metadata
+ * @property {FoundFace[]} faces most prominent first; empty without a face
  * @property {number} pictureWidth_px of the picture, which may be a smaller copy of the photo
  * @property {number} pictureHeight_px
  * @property {Uint8Array} picture RGBA, upright, row by row
- * @property {ImageBitmap} bitmap the same picture, ready to be drawn
+ * @property {ImageBitmap} bitmap the same picture
  *
- * @typedef {object} Followed a frame of a film, and the face in it
- * @property {number} time_ms when it was taken, as it was said
- * @property {Float32Array} [landmarks] as those of a face in a photo, smoothed over time; none where there is no face
+ * @typedef {object} FollowedFrame a camera frame and the face in it
+ * @property {number} time_ms timestamp from the request
+ * @property {Float32Array} [landmarks] as in {@link FoundFace}, smoothed over time; absent without a face
  * @property {number} width_px of the frame
  * @property {number} height_px
- * @property {{ read: number, landmarks: number }} took_ms what the worker spent on its pixels and on finding the landmarks
- * @property {ImageBitmap} frame that the landmarks belong to, sent back; whoever is given it closes it
+ * @property {{ read: number, landmarks: number }} took_ms time to read the pixels and to find the landmarks
+ * @property {ImageBitmap} frame the frame, transferred back; the caller closes it
  *
- * @typedef {object} Edited a photo to be drawn with what was edited in it
- * @property {Blob} photo the file as it was opened
- * @property {number} width_px of the upright photo that the places are in
- * @property {Float64Array} from_px where its places are, x and y in turn
- * @property {Float64Array} to_px where they go
- * @property {Uint32Array} triangles three places each
+ * @typedef {object} PhotoEdit a photo to be drawn with the edits, as a warp mesh
+ * @property {Blob} photo the original file
+ * @property {number} width_px of the upright photo
+ * @property {Float64Array} from_px vertices in the photo, (x, y) pairs
+ * @property {Float64Array} to_px their new positions
+ * @property {Uint32Array} triangles vertex indices
  * @property {"image/png" | "image/jpeg"} format
  *
- * @typedef {object} Untextured a face whose texture is to be made
- * @property {Uint8Array} plan as the studio tells it
- * @property {{ pixels: Uint8Array, width_px: number, height_px: number }[]} pictures RGBA, the photos of the plan in its order
+ * @typedef {object} TextureTask a face whose texture is to be made
+ * @property {Uint8Array} plan in the studio's format
+ * @property {{ pixels: Uint8Array, width_px: number, height_px: number }[]} pictures RGBA, in the order of the plan
  * @property {number} side_px of the texture
  *
  * @typedef {{ type: "load", base: string | undefined, list: string }
  *   | { type: "find", id: number, photo: Blob, maxFaces: number }
- *   | { type: "draw", id: number, edited: Edited }
- *   | { type: "texture", id: number, face: Untextured }
+ *   | { type: "draw", id: number, edited: PhotoEdit }
+ *   | { type: "texture", id: number, face: TextureTask }
  *   | { type: "follow", id: number, frame: ImageBitmap, time_ms: number }
  *   | { type: "stop-following" }} Request
  *
@@ -61,16 +61,16 @@
  *   | { type: "failed", id: number, error: PageError }
  *   | { type: "drawn", id: number, file: Blob }
  *   | { type: "textured", id: number, pixels: Uint8Array }
- *   | { type: "followed", id: number, followed: Followed }
+ *   | { type: "followed", id: number, followed: FollowedFrame }
  *   | { type: "not-followed", id: number, error: PageError }
  *   | { type: "trapped", id: number, message: string }} Reply
  */
 
 /**
- * What the validator says of a file: how many of each.
+ * The validator's number of issues of each severity.
  *
  * @typedef {{ errors: number, warnings: number, remarks: number }} Verdict
  */
 
-/** Lets this file be imported for its types alone. */
+/** Makes this file a module, for its types. */
 export {};

@@ -1,12 +1,12 @@
 /**
- * The texture of a whole face.
+ * Makes the texture of a complete face.
  *
- * @typedef {import("./protocol.js").Untextured} Untextured
+ * @typedef {import("./protocol.js").TextureTask} TextureTask
  */
 import { TextureMaker } from "../../wasm/rosto-vision-web.js";
 
 /**
- * @param {Untextured} face
+ * @param {TextureTask} face
  * @returns {Uint8Array} RGBA
  */
 export function textureOf({ plan, pictures, side_px }) {

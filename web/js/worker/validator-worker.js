@@ -1,6 +1,6 @@
 /**
- * Runs Khronos' glTF validator, which takes its time over a dense mesh. A classic worker: the validator is a script that
- * looks for an `exports` to fill.
+ * Runs Khronos' glTF validator, which is slow on a dense mesh. A classic worker, because the validator is a CommonJS script
+ * that assigns to `exports`.
  *
  * @typedef {{ numErrors: number, numWarnings: number, numInfos: number, numHints: number }} GltfIssues
  * @typedef {{ validateBytes: (bytes: Uint8Array, options: object) => Promise<{ issues: GltfIssues }> }} GltfValidator
@@ -10,32 +10,32 @@ const validatorScope = /** @type {DedicatedWorkerGlobalScope & { exports: GltfVa
 const VALIDATOR = "../../vendor/gltf-validator/gltf_validator.dart.js";
 
 validatorScope.exports = /** @type {GltfValidator} */ ({});
-validatorScope.importScripts(trusted(VALIDATOR));
+validatorScope.importScripts(trustedUrl(VALIDATOR));
 
 validatorScope.addEventListener("message", async ({ data: { id, bytes } }) => {
-  validatorScope.postMessage({ id, verdict: await verdictOn(bytes) });
+  validatorScope.postMessage({ id, verdict: await validate(bytes) });
 });
 validatorScope.postMessage({ ready: true });
 
 /**
- * Classic workers cannot import the page's policy: this one accepts the validator's address alone.
+ * Passes a URL through a Trusted Types policy that accepts only the validator. Classic workers cannot import the page's policy.
  *
- * @param {string} address
+ * @param {string} url
  */
-function trusted(address) {
+function trustedUrl(url) {
   const { trustedTypes } = /** @type {{ trustedTypes?: import("../page/trusted.js").PolicyFactory }} */ (globalThis);
   const refuse = () => {
-    throw new TypeError("this worker runs the validator only");
+    throw new TypeError("this worker loads only the validator");
   };
   const rules = { createScriptURL: (/** @type {string} */ script) => (script === VALIDATOR ? script : refuse()), createHTML: refuse };
-  return (trustedTypes?.createPolicy("rosto", rules) ?? rules).createScriptURL(address);
+  return (trustedTypes?.createPolicy("rosto", rules) ?? rules).createScriptURL(url);
 }
 
 /**
  * @param {Uint8Array} bytes
- * @returns {Promise<import("./protocol.js").Verdict | undefined>} nothing where the validator gave up
+ * @returns {Promise<import("./protocol.js").Verdict | undefined>} undefined if the validator failed
  */
-async function verdictOn(bytes) {
+async function validate(bytes) {
   try {
     const { issues } = await validatorScope.exports.validateBytes(bytes, { writeTimestamp: false });
     return { errors: issues.numErrors, warnings: issues.numWarnings, remarks: issues.numInfos + issues.numHints };

@@ -1,143 +1,143 @@
 /**
- * The worker that finds faces and follows them. It holds nothing of the user's: the page may end it at any time and start another.
+ * The worker that finds and follows faces. It holds no user data, so the page can terminate and restart it at any time.
  *
  * @typedef {import("./protocol.js").Request} Request
  * @typedef {import("./protocol.js").Reply} Reply
  * @typedef {import("./protocol.js").FoundFaces} FoundFaces
- * @typedef {Extract<Request, { type: "load" }>} Place
+ * @typedef {Extract<Request, { type: "load" }>} LoadRequest
  */
 import init, { checkLength, Vision } from "../../wasm/rosto-vision-web.js";
 import { init as setBase } from "../files.js";
-import { builtFile, builtModule, vouchFor } from "../page/built.js";
+import { verifiedFile, verifiedModule, setListHash } from "../page/integrity.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf } from "../work/pixels.js";
-import { decodedByBrowser } from "./browser-decoder.js";
+import { decodeWithBrowser } from "./browser-decoder.js";
 import { drawEdited } from "./edited-photo.js";
 import { follow } from "./frames.js";
 import { textureOf } from "./texture.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
-/** The lock is held for as long as this worker lives, however it ends: that is how the page notices. */
+/** Held for the life of this worker. The browser releases it even after a crash, which the page detects. */
 const lock = `rosto-vision-${crypto.randomUUID()}`;
 navigator.locks.request(lock, () => {
-  tell({ type: "alive", lock });
+  post({ type: "alive", lock });
   return new Promise(() => {});
 });
 
-/** So often, at most, the page hears that something is arriving. */
-const TELL_EVERY_MS = 1000;
+/** Minimum interval between loading reports. */
+const REPORT_EVERY_MS = 1000;
 
-/** @type {(place: Place) => void} */
-let begin = () => {};
-/** The page says first of all where the files lie, and what vouches for them. @type {Promise<Place>} */
-const told = new Promise((resolve) => (begin = resolve));
-const vision = told.then(load);
+/** @type {(place: LoadRequest) => void} */
+let onLoadRequest = () => {};
+/** The page's first message, with the base URL and the hash of the integrity list. @type {Promise<LoadRequest>} */
+const loadRequest = new Promise((resolve) => (onLoadRequest = resolve));
+const vision = loadRequest.then(load);
 vision.then(
-  () => tell({ type: "ready" }),
-  (error) => tell({ type: "unusable", error: asPageError(error, "not-loaded") }),
+  () => post({ type: "ready" }),
+  (error) => post({ type: "unusable", error: asPageError(error, "not-loaded") }),
 );
 
-page.addEventListener("message", (event) => take(event.data));
+page.addEventListener("message", (event) => handle(event.data));
 
 /** @param {Request} request */
-function take(request) {
+function handle(request) {
   switch (request.type) {
     case "load":
-      return begin(request);
+      return onLoadRequest(request);
     case "find":
-      return answer(request);
+      return handleFind(request);
     case "draw":
-      return answerWithPhoto(request);
+      return handleDraw(request);
     case "texture":
-      return answerWithTexture(request);
+      return handleTexture(request);
     case "follow":
-      return answerFrame(request);
+      return handleFollow(request);
     case "stop-following":
-      // A worker that could not load has said so.
+      // A failure to load was already posted as unusable.
       return vision.then((vision) => vision.stopFollowing(), () => {});
   }
 }
 
-/** @param {Place} place */
+/** @param {LoadRequest} request */
 async function load({ base, list }) {
   if (base !== undefined) setBase(base);
-  vouchFor(list);
+  setListHash(list);
   const module = new URL("../../wasm/rosto-vision-web_bg.wasm", import.meta.url);
-  const first = new URL("../../assets/face_detector.onnx", import.meta.url);
-  const second = new URL("../../assets/face_landmarks_attention.onnx", import.meta.url);
+  const detectorUrl = new URL("../../assets/face_detector.onnx", import.meta.url);
+  const landmarksUrl = new URL("../../assets/face_landmarks_attention.onnx", import.meta.url);
   const [module_or_path, detector, landmarks] = await Promise.all([
-    builtModule("wasm/rosto-vision-web_bg.wasm", module, tellOfArrival),
-    builtFile("assets/face_detector.onnx", first, tellOfArrival),
-    builtFile("assets/face_landmarks_attention.onnx", second, tellOfArrival),
+    verifiedModule("wasm/rosto-vision-web_bg.wasm", module, reportLoading),
+    verifiedFile("assets/face_detector.onnx", detectorUrl, reportLoading),
+    verifiedFile("assets/face_landmarks_attention.onnx", landmarksUrl, reportLoading),
   ]);
   await init({ module_or_path });
   return new Vision(new Uint8Array(detector), new Uint8Array(landmarks));
 }
 
 /**
- * While a file arrives the page hears of it: a slow connection is not a dead one. Whoever uses the file hears of what goes
- * wrong.
+ * Reports that a file is arriving, which resets the page's watchdog on a slow connection. Errors surface where the file is
+ * used.
  *
- * @param {Response} answer
+ * @param {Response} response
  */
-function tellOfArrival(answer) {
-  readToTell(answer.clone()).catch(() => {});
+function reportLoading(response) {
+  readAndReport(response.clone()).catch(() => {});
 }
 
-/** @param {Response} response a copy, read to see it come */
-async function readToTell(response) {
+/** @param {Response} response a copy, read only to observe its progress */
+async function readAndReport(response) {
   const reader = response.body?.getReader();
-  let told_ms = -Infinity;
+  let reported_ms = -Infinity;
   while (reader && !(await reader.read()).done) {
-    if (performance.now() - told_ms < TELL_EVERY_MS) continue;
-    told_ms = performance.now();
-    tell({ type: "loading" });
+    if (performance.now() - reported_ms < REPORT_EVERY_MS) continue;
+    reported_ms = performance.now();
+    post({ type: "loading" });
   }
 }
 
 /** @param {Extract<Request, { type: "find" }>} request */
-async function answer({ id, photo, maxFaces }) {
+async function handleFind({ id, photo, maxFaces }) {
   try {
     const faces = await findDecoded(await vision, photo, maxFaces, id);
     const found = { ...faces, bitmap: await bitmapOf(faces) };
-    tell({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
+    post({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
   } catch (error) {
-    tellOfFailure("failed", id, error);
+    postFailure("failed", id, error);
   }
 }
 
 /** @param {Extract<Request, { type: "draw" }>} request */
-async function answerWithPhoto({ id, edited }) {
+async function handleDraw({ id, edited }) {
   try {
     await vision;
-    tell({ type: "drawn", id, file: await drawEdited(edited) });
+    post({ type: "drawn", id, file: await drawEdited(edited) });
   } catch (error) {
-    tellOfFailure("failed", id, error);
+    postFailure("failed", id, error);
   }
 }
 
 /** @param {Extract<Request, { type: "texture" }>} request */
-async function answerWithTexture({ id, face }) {
+async function handleTexture({ id, face }) {
   try {
     await vision;
     const pixels = textureOf(face);
-    tell({ type: "textured", id, pixels }, [/** @type {ArrayBuffer} */ (pixels.buffer)]);
+    post({ type: "textured", id, pixels }, [/** @type {ArrayBuffer} */ (pixels.buffer)]);
   } catch (error) {
-    tellOfFailure("failed", id, error);
+    postFailure("failed", id, error);
   }
 }
 
 /** @param {Extract<Request, { type: "follow" }>} request */
-async function answerFrame({ id, frame, time_ms }) {
+async function handleFollow({ id, frame, time_ms }) {
   try {
     const followed = follow(await vision, frame, time_ms);
     const { landmarks } = followed;
-    tell({ type: "followed", id, followed }, landmarks ? [frame, landmarks.buffer] : [frame]);
+    post({ type: "followed", id, followed }, landmarks ? [frame, landmarks.buffer] : [frame]);
   } catch (error) {
     frame.close();
-    tellOfFailure("not-followed", id, error);
+    postFailure("not-followed", id, error);
   }
 }
 
@@ -146,14 +146,14 @@ async function answerFrame({ id, frame, time_ms }) {
  * @param {number} id
  * @param {unknown} error
  */
-function tellOfFailure(type, id, error) {
-  // After a trap the module's memory is in an unknown state: the page starts another worker.
-  if (error instanceof WebAssembly.RuntimeError) tell({ type: "trapped", id, message: error.message });
-  else tell({ type, id, error: asPageError(error) });
+function postFailure(type, id, error) {
+  // A trap leaves the module's memory in an undefined state, so the page restarts the worker.
+  if (error instanceof WebAssembly.RuntimeError) post({ type: "trapped", id, message: error.message });
+  else post({ type, id, error: asPageError(error) });
 }
 
 /**
- * Finds faces in a photo, decoded by the module, or by the browser where the module does not read the format.
+ * Finds faces in a photo. Falls back to the browser's decoder for formats that the module does not read.
  *
  * @param {Vision} vision
  * @param {Blob} photo
@@ -166,7 +166,7 @@ async function findDecoded(vision, photo, maxFaces, id) {
   try {
     return find(vision, bytes, maxFaces, id);
   } catch (error) {
-    const decoded = asPageError(error).code === "unsupported-format" ? await decodedByBrowser(photo) : undefined;
+    const decoded = asPageError(error).code === "unsupported-format" ? await decodeWithBrowser(photo) : undefined;
     if (!decoded) throw error;
     return find(vision, await bytesOf(decoded), maxFaces, id, bytes);
   }
@@ -177,12 +177,12 @@ async function findDecoded(vision, photo, maxFaces, id) {
  * @param {Uint8Array} bytes
  * @param {number} maxFaces
  * @param {number} id
- * @param {Uint8Array} [original] the file that the browser decoded to these bytes
+ * @param {Uint8Array} [original] the original file, if the browser decoded it to `bytes`
  * @returns {Omit<FoundFaces, "bitmap">}
  */
 function find(vision, bytes, maxFaces, id, original) {
   /** @type {(stage: import("./protocol.js").Stage, fraction: number) => void} */
-  const report = (stage, fraction) => tell({ type: "progress", id, stage, fraction });
+  const report = (stage, fraction) => post({ type: "progress", id, stage, fraction });
   const found = vision.find(bytes, maxFaces, report, original);
   try {
     const faces = Array.from({ length: found.faceCount }, (_, i) => ({
@@ -214,6 +214,6 @@ function buffersOf(found) {
  * @param {Reply} reply
  * @param {Transferable[]} [transfer]
  */
-function tell(reply, transfer = []) {
+function post(reply, transfer = []) {
   page.postMessage(reply, transfer);
 }

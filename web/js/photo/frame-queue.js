@@ -1,28 +1,28 @@
 /**
  * @typedef {import("../worker/protocol.js").Request} Request
- * @typedef {import("../worker/protocol.js").Followed} Followed
+ * @typedef {import("../worker/protocol.js").FollowedFrame} FollowedFrame
  * @typedef {import("../worker/protocol.js").PageError} PageError
  *
- * @typedef {object} Asked a frame that somebody waits for
+ * @typedef {object} PendingFrame
  * @property {ImageBitmap} frame
  * @property {number} time_ms
- * @property {(followed: Followed | undefined) => void} resolve
+ * @property {(followed: FollowedFrame | undefined) => void} resolve
  * @property {(error: unknown) => void} reject
  */
 
 /**
- * Frames on their way to the worker and back. The worker has one, and one waits: a newer frame takes the place of the one
- * that waits, so that no answer is older than two frames.
+ * Queue of camera frames for the worker: one is in flight and one waits. A newer frame replaces the waiting one, which bounds
+ * the latency to two frames.
  */
-export class Following {
+export class FrameQueue {
   #post;
   #isOpen = false;
   #lastId = 0;
-  /** Whether the worker has a frame, though nobody may wait for it any more. */
+  /** Whether a frame is in flight, even if its result is no longer needed. */
   #isBusy = false;
-  /** @type {Asked | undefined} */
+  /** @type {PendingFrame | undefined} */
   #sent;
-  /** @type {Asked | undefined} */
+  /** @type {PendingFrame | undefined} */
   #next;
 
   /** @param {(request: Request, transfer?: Transferable[]) => void} post */
@@ -30,12 +30,12 @@ export class Following {
     this.#post = post;
   }
 
-  /** Whether somebody waits for the worker. */
+  /** Whether a result is pending. */
   get isWaiting() {
     return Boolean(this.#sent ?? this.#next);
   }
 
-  /** The worker has loaded. Before, it is sent nothing: the frame would be old by the time it is looked at. */
+  /** Starts sending, once the worker has loaded: a frame sent earlier would be stale when processed. */
   open() {
     this.#isOpen = true;
     this.#send();
@@ -44,19 +44,19 @@ export class Following {
   /**
    * @param {ImageBitmap} frame
    * @param {number} time_ms
-   * @returns {Promise<Followed | undefined>}
+   * @returns {Promise<FollowedFrame | undefined>}
    */
   follow(frame, time_ms) {
-    this.#passOver();
+    this.#dropNext();
     return new Promise((resolve, reject) => {
       this.#next = { frame, time_ms, resolve, reject };
       this.#send();
     });
   }
 
-  /** Nobody waits any more; the next frame belongs to another film. */
+  /** Cancels the pending frames; the next frame starts another stream. */
   stop() {
-    this.#passOver();
+    this.#dropNext();
     this.#sent?.resolve(undefined);
     this.#sent = undefined;
     if (this.#isOpen) this.#post({ type: "stop-following" });
@@ -64,12 +64,12 @@ export class Following {
 
   /**
    * @param {number} id
-   * @param {Followed} followed
+   * @param {FollowedFrame} followed
    */
   onMessage(id, followed) {
-    const asked = this.#take(id);
-    if (asked) asked.resolve(followed);
-    // Whoever no longer waits for the frame does not close it either.
+    const pending = this.#settle(id);
+    if (pending) pending.resolve(followed);
+    // Cancelled: the caller will not close the frame.
     else followed.frame.close();
     this.#send();
   }
@@ -79,12 +79,12 @@ export class Following {
    * @param {PageError} error
    */
   fail(id, error) {
-    this.#take(id)?.reject(error);
+    this.#settle(id)?.reject(error);
     this.#send();
   }
 
   /**
-   * The worker is gone, and the frame that it had with it.
+   * Rejects the pending frames after the worker has ended.
    *
    * @param {unknown} error
    */
@@ -109,16 +109,16 @@ export class Following {
   }
 
   /** @param {number} id */
-  #take(id) {
+  #settle(id) {
     if (id !== this.#lastId) return undefined;
-    const asked = this.#sent;
+    const pending = this.#sent;
     this.#sent = undefined;
     this.#isBusy = false;
-    return asked;
+    return pending;
   }
 
-  /** Lets go of the frame that waits. */
-  #passOver() {
+  /** Drops the waiting frame. */
+  #dropNext() {
     this.#next?.frame.close();
     this.#next?.resolve(undefined);
     this.#next = undefined;
