@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { asJpeg, enormousPng, faceless, heic, outOfFocus, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("other files get an error, doubtful faces a remark, and the page still works", async ({ visitor, page }) => {
+test("invalid files show an error, doubtful faces a remark, and the work stays", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");
@@ -23,7 +23,7 @@ test("other files get an error, doubtful faces a remark, and the page still work
     await page.waitForSelector("#progress", { state: "hidden" });
     assert.match((await visitor.notice()).text, says);
     const told = await page.locator("body").innerText();
-    assert.equal(told.match(new RegExp(says, "g"))?.length, 1, `${name} is told more than once`);
+    assert.equal(told.match(new RegExp(says, "g"))?.length, 1, `${name} is reported more than once`);
     if (code === "no-face-found") await page.keyboard.press("Escape");
     else await page.click("#notice-close");
     assert.ok(await page.isHidden("#notice"));

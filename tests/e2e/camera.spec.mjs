@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { camera, watchCamera } from "./camera-watch.mjs";
 import { alike, test } from "./fixtures.mjs";
 
-/** Counts how often the page asks for the camera, and what becomes of it. */
+/** Records the page's requests for the camera. */
 test.use({ visit: { scripts: [watchCamera] } });
 
 /** Longer than the countdown. */
@@ -10,9 +10,9 @@ const COUNTED_MS = 5000;
 
 for (const [[presses, press], tag] of alike([
   ["a double click opens", ({ page }) => page.dblclick("#welcome [data-action='camera']")],
-  ["two presses before the page has answered either open", pressTwice],
+  ["two clicks in one task open", pressTwice],
 ])) {
-  test(`${presses} one camera, and Escape stops it, or the button`, { tag: [...tag, "@camera"] }, async ({ visitor, page }) => {
+  test(`${presses} one camera; Escape or the button stops it`, { tag: [...tag, "@camera"] }, async ({ visitor, page }) => {
     await press(visitor);
     await page.waitForSelector("#camera-shutter:enabled");
     await leaveCamera(page);
@@ -25,7 +25,7 @@ for (const [[presses, press], tag] of alike([
   });
 }
 
-test("the dialog is there while the browser asks, and a camera allowed after it was closed is stopped at once", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
+test("the dialog opens while the browser prompts, and a camera allowed after closing stops immediately", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
   await page.evaluate(() => (window.cameraWaits = true));
   await page.click("#welcome [data-action='camera']");
   assert.match(await page.innerText("#camera-status"), /allow the camera/);
@@ -34,7 +34,7 @@ test("the dialog is there while the browser asks, and a camera allowed after it 
   await page.evaluate(() => window.allowCamera());
   await page.waitForFunction(() => window.cameraTracks.length === 1 && window.cameraTracks[0].readyState === "ended");
 
-  // Closed and opened again while the browser asks: its one answer serves the dialog that is open.
+  // Closed and reopened during the prompt: its one answer serves the open dialog.
   await page.click("#welcome [data-action='camera']");
   await leaveCamera(page);
   await page.click("#welcome [data-action='camera']");
@@ -46,7 +46,7 @@ test("the dialog is there while the browser asks, and a camera allowed after it 
 });
 
 for (const [moment, tag] of alike(["before the photo", "during the countdown"])) {
-  test(`a camera that is unplugged ${moment} closes the dialog with a message, and no photo is taken`, { tag: [...tag, "@camera"] }, async ({ open }) => {
+  test(`a camera unplugged ${moment} closes the dialog with a notice and takes no photo`, { tag: [...tag, "@camera"] }, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await openCamera(page);
@@ -69,7 +69,7 @@ test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }
   await page.click("#camera-shutter");
   await page.waitForFunction(() => /[123]/.test(document.getElementById("camera-countdown").textContent));
   await leaveCamera(page);
-  // Open again: the first countdown must not take the second one's photo.
+  // The first countdown must not take a photo in the reopened dialog.
   await page.click("#welcome [data-action='camera']");
   await page.clock.runFor(COUNTED_MS);
   await visitor.frames(10);
@@ -79,7 +79,7 @@ test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }
   assert.ok(await page.isHidden("#progress"));
 });
 
-test("no photo is taken of a video that has no size yet", { tag: ["@camera", "@rare"] }, async ({ open }) => {
+test("no photo is taken of a video without a size", { tag: ["@camera", "@rare"] }, async ({ open }) => {
   const hideSize = () => Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => (window.videoHasSize ? 512 : 0) });
   const visitor = await open({ scripts: [watchCamera, hideSize] });
   const { page } = visitor;
@@ -94,20 +94,20 @@ test("no photo is taken of a video that has no size yet", { tag: ["@camera", "@r
   await page.waitForSelector("#camera-shutter:enabled");
 });
 
-/** Opens the camera, and waits until it can take a photo. @param {import("@playwright/test").Page} page */
+/** Opens the camera and waits until it can take a photo. @param {import("@playwright/test").Page} page */
 async function openCamera(page) {
   await page.click("#welcome [data-action='camera']");
   await page.waitForSelector("#camera-shutter:enabled");
 }
 
-/** Closes the dialog by Escape, and waits until nothing of the camera runs, which the browser tells the page a moment later. */
+/** Closes the dialog with Escape and waits until the camera has stopped, which the page learns slightly later. */
 async function leaveCamera(page) {
   await page.keyboard.press("Escape");
   await page.waitForSelector("#camera", { state: "hidden" });
   await page.waitForFunction(() => window.cameraTracks.every((track) => track.readyState === "ended"), undefined, { timeout: 5000 });
 }
 
-/** A script's press does not wait, as a hand's does, for the page to be there. @param {import("./visitor.mjs").Visitor} visitor */
+/** Clicks by script do not wait for the page, so load it first. @param {import("./visitor.mjs").Visitor} visitor */
 async function pressTwice(visitor) {
   await visitor.untilLoaded();
   await visitor.page.locator("#welcome [data-action='camera']").evaluate((button) => {

@@ -3,7 +3,7 @@ import { test } from "./fixtures.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("a landmark without anything to hold the face, another density, and the page goes on", async ({ editor, page }) => {
+test("an edit without anchors, followed by other densities, does not break the page", async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   await editor.unfold("section-advanced");
   await page.selectOption("#anchors", "pins");
@@ -23,7 +23,7 @@ test("a landmark without anything to hold the face, another density, and the pag
   }
   editor.checkNothingBroke();
 
-  // It still does what it is for.
+  // Editing still works.
   await editor.findLandmark("bottom of the chin");
   await editor.reach("#anchors");
   await page.selectOption("#anchors", "oval");

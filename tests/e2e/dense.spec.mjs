@@ -7,23 +7,28 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-/** Has any of a mesh's points to be taken. @param {import("./visitor.mjs").Visitor} visitor @param {number} density */
+/**
+ * Selects by points of a mesh with the given density.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {number} density
+ */
 async function choosePoints(visitor, density) {
   const { page } = visitor;
   await visitor.unfold("section-landmark");
   await page.check("input[name='selection'][value='point']", { force: true });
   await page.selectOption("#point-density", String(density));
   await page.waitForFunction(() => /anywhere/.test(document.getElementById("landmark-help").textContent));
-  // The denser mesh comes after the words that announce it have been drawn.
+  // The denser mesh follows after its message is painted.
   await visitor.frames(3);
 }
 
-test("any point of the densest mesh is clicked, dragged and undone, as the command line moves it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a point of the densest mesh can be clicked, dragged and undone, with the command line's result", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await choosePoints(editor, 3);
   assert.equal(await page.inputValue("#density"), "3");
   await editor.findLandmark("nose tip");
   const tip = await editor.tagged();
-  // Beside the nose, where no landmark is.
+  // Next to the nose, away from landmarks.
   await page.mouse.click(tip.x + 31, tip.y + 7);
   await editor.frames(3);
   const vertex = await editor.point();
@@ -54,7 +59,7 @@ test("any point of the densest mesh is clicked, dragged and undone, as the comma
   assert.deepEqual(await editor.meshJson("mm"), start);
 });
 
-test("a point is moved by sliders on both sides, waits while the mesh is coarser, and can be switched off", { tag: "@rare" }, async ({ editor, page }) => {
+test("a point moves by sliders on both sides, waits on a coarser mesh, and can be switched off", { tag: "@rare" }, async ({ editor, page }) => {
   await choosePoints(editor, 1);
   const start = await editor.meshJson("mm");
   await editor.findLandmark("1500");
@@ -84,7 +89,7 @@ test("a point is moved by sliders on both sides, waits while the mesh is coarser
   assert.deepEqual(await editor.meshJson("mm"), moved);
 });
 
-test("edits of points come back from a GLB, and stay where they are when eyes and mouth are opened", { tag: "@rare" }, async ({ editor, page, open }) => {
+test("edits of points reopen from a GLB, and keep their position when eyes and mouth are opened", { tag: "@rare" }, async ({ editor, page, open }) => {
   await choosePoints(editor, 2);
   const start = await editor.meshJson("mm");
   await editor.move("5000", "z", 2);
@@ -106,11 +111,11 @@ test("edits of points come back from a GLB, and stay where they are when eyes an
   assert.ok(await page.isVisible("#mirror-help"));
   const opened = await editor.meshJson("mm");
   const lifted = opened.positions.map((place) => Math.hypot(...place.map((at, axis) => at - moved.positions[5_000][axis])));
-  assert.ok(Math.min(...lifted) < 1, "the point did not come along");
+  assert.ok(Math.min(...lifted) < 1, "the point did not move along");
   assert.notEqual(opened.positions.length, start.positions.length);
 });
 
-test("on a dense mesh a point that is not there is not said to be between 0 and 467", { tag: "@rare" }, async ({ editor, page }) => {
+test("on a dense mesh the error for an unknown point does not mention the range of landmarks", { tag: "@rare" }, async ({ editor, page }) => {
   await choosePoints(editor, 2);
   await editor.findLandmark("7000");
   assert.equal(await editor.point(), 7_000);

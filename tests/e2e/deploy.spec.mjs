@@ -9,10 +9,10 @@ import { DIST } from "./server.mjs";
 
 const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mjs");
 
-/** Scripts that a tab loads late. */
+/** Scripts that a tab loads later. */
 const LATE = ["js/page/tasks.js", "js/worker/frames.js", "js/worker/validator-worker.js"];
 
-/** What only browsers without WebGPU store. */
+/** Files that only browsers without WebGPU store. */
 const FALLBACK = /^wasm\/rosto-studio-webgl/;
 
 /** Tests with two builds of the page. */
@@ -21,8 +21,8 @@ const test = base.extend({
   builds: async ({}, use, testInfo) => use(await Promise.all([1, 2].map((number) => buildOf(number, testInfo.outputPath(String(number)))))),
 });
 
-for (const [[when, needs], tag] of alike([["opened on a first visit", "gpu"], ["opened without WebGPU", "webgl"]])) {
-  test(`a tab that was ${when} keeps its version after a deploy, and a new one has the new version`, { tag: [...tag, `@${needs}`] }, async ({ open, server, builds: [older, newer] }) => {
+for (const [[when, needs], tag] of alike([["opened on the first visit", "gpu"], ["opened without WebGPU", "webgl"]])) {
+  test(`after a deploy, a tab ${when} keeps its version, and a new tab has the new one`, { tag: [...tag, `@${needs}`] }, async ({ open, server, builds: [older, newer] }) => {
     server.deploy(older);
     const old = await open({ serviceWorkers: "allow" });
     await old.untilLoaded();
@@ -41,7 +41,7 @@ for (const [[when, needs], tag] of alike([["opened on a first visit", "gpu"], ["
     await expectBuild(next, newer, needs);
     await untilStored(next, 2);
 
-    // The browser ends a service worker that has had nothing to do for a while.
+    // The browser stops an idle service worker.
     for (const visitor of [old, next, old]) {
       await stopServiceWorkers(visitor.page);
       await expectBuild(visitor, visitor === old ? older : newer, needs);
@@ -57,7 +57,7 @@ for (const [[when, needs], tag] of alike([["opened on a first visit", "gpu"], ["
     await expectBuild(next, newer, needs);
     server.disturb();
 
-    // On a page of neither version the new script takes over once the old one has stopped.
+    // On a page outside its scope, the new service worker activates once the old one has stopped.
     await old.page.close();
     const nowhere = new URL("/", server.url).href;
     await next.page.route(nowhere, (route) => route.fulfill({ contentType: "text/html", body: "" }));
@@ -74,7 +74,7 @@ for (const [[when, needs], tag] of alike([["opened on a first visit", "gpu"], ["
   });
 }
 
-test("a version that was never stored is not made up of files of the next one", async ({ open, server, builds: [older, newer] }) => {
+test("a version that was not stored gets no files of the next one", async ({ open, server, builds: [older, newer] }) => {
   server.deploy(older);
   const old = await open({ serviceWorkers: "allow" });
   await old.untilLoaded();
@@ -82,14 +82,16 @@ test("a version that was never stored is not made up of files of the next one", 
   server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
   const next = await old.anotherTab();
   await expectBuild(next, newer);
-  // As if a third version were out.
+  // Simulates a third version.
   server.deploy(older);
   const files = ["words/pt.json", "js/page/tasks.js", "css/base.css"];
   assert.deepEqual(await textsIn(next.page, files), files.map(() => "refused"));
   await expectBuild(old, older);
 });
 
-/** Makes a build of the page in which each file that can take a comment has one, and late scripts set `build` to its number. */
+/**
+ * Copies the build, appends a comment to each file that allows one, and makes late scripts set `build` to its number.
+ */
 async function buildOf(number, folder) {
   await cp(DIST, folder, { recursive: true });
   const files = (await readdir(folder, { recursive: true })).filter((name) => /^(js|css|words|wasm)\/.*\.(js|css|json)$/.test(name));
@@ -100,7 +102,7 @@ async function buildOf(number, folder) {
   return folder;
 }
 
-/** Expects a tab to get each file as it is in a build; one that this browser has not stored, as it is or not at all. */
+/** Expects a tab to get the files of a build; files that this browser does not store may be refused. */
 async function expectBuild({ page }, folder, needs = "gpu") {
   const { files } = JSON.parse(String(await readFile(path.join(folder, "integrity.json"))));
   const names = Object.keys(files).filter((name) => /\.(js|css|json)$/.test(name));
@@ -111,13 +113,13 @@ async function expectBuild({ page }, folder, needs = "gpu") {
   }
 }
 
-/** What a tab gets for each file. @param {import("@playwright/test").Page} page @param {string[]} files */
+/** Text of each file as the tab fetches it. @param {import("@playwright/test").Page} page @param {string[]} files */
 function textsIn(page, files) {
   const fetchAll = (files) => Promise.all(files.map((file) => fetch(file).then((answer) => answer.text(), () => "refused")));
   return page.evaluate(fetchAll, files);
 }
 
-/** Expects scripts of a build where a tab loads them late: a module, a worker that is started again, and another worker. */
+/** Expects late scripts of a build: a module, a restarted worker and another worker. */
 async function expectScripts({ page }, build) {
   await page.evaluate(() => {
     delete globalThis.build;
@@ -130,7 +132,10 @@ async function expectScripts({ page }, build) {
   for (const place of [page, worker, validator]) await expect.poll(() => place.evaluate(() => globalThis.build)).toBe(build);
 }
 
-/** Waits until `count` versions are stored completely, the page last: stopping a service worker earlier ends its installation. */
+/**
+ * Waits until `count` versions are stored completely, including the page: stopping the service worker earlier aborts
+ * its installation.
+ */
 async function untilStored({ page }, count) {
   const stores = () => page.evaluate(async () => {
     const pages = (await caches.keys()).map((cacheName) => caches.match("./", { cacheName }));

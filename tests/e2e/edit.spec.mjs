@@ -8,7 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("a dropped portrait becomes a mesh in its own colours, a point of which is picked by a click", { tag: "@eyes" }, async ({ visitor, page }) => {
+test("a dropped portrait becomes a mesh in its colours, and a click selects a point", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await assertPortraitColours(await visitor.view());
   await page.click("#viewport");
@@ -16,7 +16,7 @@ test("a dropped portrait becomes a mesh in its own colours, a point of which is 
   assert.ok(await page.isVisible("#landmark-tag"));
 });
 
-test("moving the nose tip changes picture and mesh as the command line does, and undo restores both", { tag: "@eyes" }, async ({ editor }) => {
+test("moving the nose tip changes picture and mesh like the command line, and undo restores both", { tag: "@eyes" }, async ({ editor }) => {
   await editor.prefer("paper");
   await editor.unfold("section-view");
   await editor.page.click("[data-action='view-left']");
@@ -40,7 +40,7 @@ test("moving the nose tip changes picture and mesh as the command line does, and
   assert.deepEqual(await editor.meshJson("mm"), after.mesh);
 });
 
-test("details that turn with the surface follow every tick, and make the command line's mesh", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
+test("rotating details follow each tick and give the command line's mesh", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
   await editor.findLandmark("61");
   await editor.unfold("section-advanced");
   await editor.page.selectOption("#details", "turned");
@@ -55,19 +55,19 @@ test("details that turn with the surface follow every tick, and make the command
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
 });
 
-test("light, paint and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ editor }) => {
+test("light, display and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ editor }) => {
   await editor.unfold("section-view");
   await editor.page.check("#light-photo");
   const first = await editor.view();
   await editor.page.locator("#light-sliders input[type=number]").first().fill("80");
   const lit = await editor.view();
-  assert.ok(difference(first, lit) > 0.02, "the light moved without effect");
+  assert.ok(difference(first, lit) > 0.02, "the light had no effect");
   await editor.page.check("input[name='shading'][value='colours']", { force: true });
   const painted = await editor.view();
-  assert.ok(difference(lit, painted) > 0.02, "the paint changed without effect");
-  // On the face, a drag may move a landmark.
+  assert.ok(difference(lit, painted) > 0.02, "the display had no effect");
+  // Starts outside the face, where no point can be dragged.
   await editor.drag(await editor.besideTheFace(), { x: 120, y: 20 });
   assert.ok(difference(painted, await editor.view()) > 0.05, "the drag did not turn the face");
   await editor.page.click("[data-action='reset-view']");
-  assert.ok(difference(painted, await editor.view()) < 0.001, "the view did not come back");
+  assert.ok(difference(painted, await editor.view()) < 0.001, "the view was not reset");
 });

@@ -1,4 +1,4 @@
-// <rosto-studio> on pages with nothing but it, served from the package as npm installs it.
+// <rosto-studio> on otherwise empty pages, served from the installed npm package.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { AS_THE_PAGE_EDITS, glbByCommandLine } from "./command-line.mjs";
@@ -10,20 +10,20 @@ import { AS_THE_PAGE, projectAsCommandLine } from "./same-face.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-// The package is built and installed once, by one worker.
+// One worker builds and installs the package once.
 test.describe.configure({ mode: "default" });
 
-/** What a page has to allow at least that has the element and a policy. */
+/** Minimum policy for a page with the element. */
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self'";
 
 const AS_THE_ELEMENT = ["--base-colour", "whole", "--density", "2"];
-/** The same edit of the element's and of the command line's. */
+/** Equal edits of the element and of the command line. */
 const EDITS = [
   { edit: (face) => face.setSlider("nose-width", 4), options: [...AS_THE_PAGE, "--slider", "nose-width:4"] },
   { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...AS_THE_PAGE_EDITS, "--edit", "1:0,0,6"] },
 ];
 
-test("the example page has the face in its photo reshaped by slider and hand, in order, and its GLB is valid", { tag: "@eyes" }, async ({ arrive }) => {
+test("on the example page, slider and drag reshape the face, events fire in order, and the GLB is valid", { tag: "@eyes" }, async ({ arrive }) => {
   const visitor = await arrive();
   const { page } = visitor;
   await visitor.until("rosto-face");
@@ -52,7 +52,7 @@ test("the example page has the face in its photo reshaped by slider and hand, in
   assert.deepEqual(await validateGlb(glb), { clean: true, counts: "0/0/0/0", messages: [] });
 });
 
-test("the element's GLB is the command line's, byte for byte, of the same face and edits", async ({ arrive, project }) => {
+test("the element's GLB equals the command line's, byte for byte", async ({ arrive, project }) => {
   const visitor = await arrive();
   await visitor.until("rosto-face");
   await visitor.openFile(await projectAsCommandLine(project), "portrait.rosto");
@@ -68,10 +68,10 @@ test("the element's GLB is the command line's, byte for byte, of the same face a
   await visitor.openFile(glb, "face.glb");
   assert.equal((await visitor.state()).edits, 1);
   const positions = (/** @type {Buffer} */ file) => JSON.parse(file.toString()).positions;
-  assert.deepEqual(positions(await visitor.file("json")), positions(json), "a file that was saved does not go on where it was left");
+  assert.deepEqual(positions(await visitor.file("json")), positions(json), "a saved file does not restore the edits");
 });
 
-test("an element says what it cannot open, by an event and on the stage, and opens what comes next", async ({ arrive }) => {
+test("the element reports files it cannot open by event and notice, and opens the next one", async ({ arrive }) => {
   const visitor = await arrive({ body: `<rosto-studio src="nowhere.jpg" lang="pt-BR" shading="clay"></rosto-studio>` });
   const { page } = visitor;
   assert.equal((await visitor.until("rosto-error")).code, "unreadable-file");
@@ -92,7 +92,7 @@ test("an element says what it cannot open, by an event and on the stage, and ope
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
-test("two elements share a page and its worker, under a strict policy, and give all back when they go", async ({ arrive }) => {
+test("two elements share a page and its worker under a strict policy, and free everything when removed", async ({ arrive }) => {
   const body = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
   const visitor = await arrive({ body, policy: POLICY });
   const { page } = visitor;
@@ -102,7 +102,7 @@ test("two elements share a page and its worker, under a strict policy, and give 
   const [one, other] = await page.evaluate(() => [...document.querySelectorAll("rosto-studio")].map(({ state }) => state));
   assert.deepEqual([one.edits, other.edits, one.vertices, other.vertices], [1, 0, 7257, 468]);
 
-  // Moved within the page it keeps what it has.
+  // Moving the element within the page keeps its state.
   await visitor.act((first) => document.body.append(first));
   await visitor.visitor.frames(2);
   assert.equal(await page.evaluate(() => document.querySelector("rosto-studio:last-of-type").state.edits), 1);
@@ -110,7 +110,7 @@ test("two elements share a page and its worker, under a strict policy, and give 
   await visitor.act((face) => face.remove());
   await visitor.act((left) => left.undo());
   assert.equal(page.workers().length, 1);
-  // How much two need at once depends on how they come; one after the other needs no more than the one before.
+  // The peak for two parallel loads varies; sequential loads must not need more memory.
   const memory = () => page.evaluate(async () => {
     const { studioModule } = await import(new URL("node_modules/rosto/js/viewport/studio-module.js", document.baseURI).href);
     return (await studioModule().default()).memory.buffer.byteLength;
@@ -133,7 +133,7 @@ test("two elements share a page and its worker, under a strict policy, and give 
   if (page.workers().length > 0) await page.workers()[0].waitForEvent("close");
 });
 
-test("where nothing can be drawn in 3D the element shows the photo and says so", { tag: "@no-gpu" }, async ({ arrive }) => {
+test("without 3D the element shows the photo and a notice", { tag: "@no-gpu" }, async ({ arrive }) => {
   const visitor = await arrive();
   assert.equal((await visitor.until("rosto-error")).code, "no-webgl");
   assert.match(await visitor.notice(), /can’t show 3D here\. Turn on/);
@@ -154,7 +154,7 @@ export const found = new VisionClient().find(new Blob()).then(({ faces }) => fac
 export const session = FaceSession.open(document.createElement("canvas")).then((session) => session.apply((studio) => studio.undo()));
 `;
 
-test("TypeScript knows the installed package, however it looks for modules", async () => {
+test("TypeScript finds the package's types with both module resolutions", async () => {
   const strict = ["--ignoreConfig", "--strict", "--noEmit", "--target", "es2023", "--lib", "es2023,esnext.disposable,dom,dom.iterable"];
   const ways = [["--module", "esnext", "--moduleResolution", "bundler"], ["--module", "nodenext", "--moduleResolution", "nodenext"]];
   for (const way of ways) {

@@ -3,10 +3,10 @@ import { changedProject } from "./changed-files.mjs";
 import { test } from "./fixtures.mjs";
 
 const ENTRIES = 20_000;
-/** More than anything should take here, on a slow machine; the fault it is for took minutes. */
+/** Generous for a slow machine; the regression that this test covers took minutes. */
 const LIMIT_MS = 30_000;
 
-test("a project of 20 000 edits opens, and edits and undo are as quick as ever", { tag: "@rare" }, async ({ editor, page }) => {
+test("a project of 20 000 edits opens, and edits and undo stay fast", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.move("nose tip", "z", 1);
   const project = changedProject(await editor.download("save-project"), ({ edits }) => {
     const [entry] = edits.entries;
@@ -31,11 +31,11 @@ test("a project of 20 000 edits opens, and edits and undo are as quick as ever",
   assert.deepEqual(await editor.meshJson("mm"), edited);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), found);
-  // What is listed is said to be a part of it.
+  // The list reports how many entries it omits.
   assert.equal((await page.innerText("#history .earlier")).replaceAll(/\D/g, ""), "19900");
 });
 
-test("an offset without measure goes to the slider's end", { tag: "@rare" }, async ({ editor, page }) => {
+test("a huge offset is clamped to the slider's range", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   for (const [typed, taken] of /** @type {const} */ ([["1e308", 40], ["-1e308", -40], ["1e309", 40]])) {
     const field = page.locator("#landmark-sliders [data-axis='z'] input[type=number]");
@@ -46,7 +46,7 @@ test("an offset without measure goes to the slider's end", { tag: "@rare" }, asy
     }, typed);
     await editor.frames(3);
     const value = Number(await field.inputValue());
-    // A number that is none to the browser is no number typed.
+    // The browser treats a number out of range as no input.
     assert.ok(value === taken || (typed === "1e309" && value === 0), `${typed}: ${value}`);
     const { positions } = await editor.meshJson("mm");
     assert.ok(positions.flat().every((place) => Number.isFinite(place) && Math.abs(place) < 1_000));
@@ -55,8 +55,8 @@ test("an offset without measure goes to the slider's end", { tag: "@rare" }, asy
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a panel that fails does not keep the others from what they show", { tag: "@rare" }, async ({ editor, page }) => {
-  // The landmark panel comes long before the history.
+test("an error in one panel does not affect the others", { tag: "@rare" }, async ({ editor, page }) => {
+  // The landmark panel updates before the history.
   await page.evaluate(() => document.getElementById("landmark-anchors").remove());
   await editor.slide("nose-width", 4);
   assert.deepEqual(await editor.history(), ["Nose width"]);
@@ -66,13 +66,13 @@ test("a panel that fails does not keep the others from what they show", { tag: "
   await editor.frames(3);
   assert.equal((await editor.history()).length, 1);
   assert.equal(await editor.sliderValue("nose-width"), 4);
-  // What could not be shown is said.
+  // The error is reported.
   assert.equal((await editor.notice()).code, "other");
   await editor.comeBack();
   assert.equal(await editor.sliderValue("nose-width"), 4);
 });
 
-test("what the module hands out is given back: 200 edits and undos leave no objects behind", { tag: "@rare" }, async ({ editor, page }) => {
+test("200 edits and undos leak no wasm objects", { tag: "@rare" }, async ({ editor, page }) => {
   await page.evaluate(countObjects);
   await editor.move("nose tip", "z", 1);
   const before = await page.evaluate("objects");
@@ -95,7 +95,7 @@ test("what the module hands out is given back: 200 edits and undos leave no obje
   }
 });
 
-/** Does something with the long project, and says how long it took. @param {string} what @param {() => Promise<unknown>} act */
+/** Measures a step with the long project. @param {string} what @param {() => Promise<unknown>} act */
 async function inTime(what, act) {
   const started = performance.now();
   await act();
@@ -104,7 +104,7 @@ async function inTime(what, act) {
   assert.ok(took_ms < LIMIT_MS, `${what} in ${took_ms} ms`);
 }
 
-/** Runs in the page: counts what the module hands out, and what of it is not given back, in `objects`. */
+/** Runs in the page: counts created and live wasm objects in `objects`. */
 async function countObjects() {
   const module = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
   globalThis.objects = {};

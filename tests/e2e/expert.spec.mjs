@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 
-/** Each with the tab it is on. */
+/** Technical controls, by tab. */
 const TECHNICAL = {
   shape: ["[data-choice='preset']", "#section-advanced", "#pinned"],
   view: ["#density", "#shading label:has([value='normals'])", "#shading label:has([value='response'])", "#shading label:has([value='distortion'])"],
@@ -14,7 +14,7 @@ const ORDINARY = {
   export: ["#texture-size", "[data-action='check-glb']", "[data-action='save-project']", "[data-action='download-glb']"],
 };
 
-test("technical controls and point numbers are shown by one switch, which is remembered", async ({ editor, page }) => {
+test("one switch shows technical controls and point numbers, and is remembered", async ({ editor, page }) => {
   const expectShown = async (isExpert) => {
     for (const tab of ["shape", "view", "export"]) {
       await page.click(`#tab-${tab}`);
@@ -37,7 +37,7 @@ test("technical controls and point numbers are shown by one switch, which is rem
   assert.deepEqual(await editor.history(), ["nose tip"]);
 });
 
-test("technical choices stay in force when the switch is off", async ({ editor, page }) => {
+test("technical choices stay in effect when the switch is off", async ({ editor, page }) => {
   await editor.prefer("paper");
   await editor.reach("#shading [value='response']");
   await page.check("#shading [value='response']", { force: true });
@@ -45,5 +45,5 @@ test("technical choices stay in force when the switch is off", async ({ editor, 
   assert.ok(await page.isVisible("#shading label:has([value='response'])"), "the active display is not shown");
   assert.ok(await page.isHidden("#shading label:has([value='normals'])"));
   await editor.move("nose tip", "z", 4);
-  assert.equal((await editor.anchors()).length, 2, "the paper's preset is no longer in force");
+  assert.equal((await editor.anchors()).length, 2, "the paper's preset is no longer in effect");
 });

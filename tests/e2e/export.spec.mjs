@@ -11,10 +11,10 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-/** Vertices at each density, and triangles of the filled face. */
+/** Vertices and triangles of the closed face at each density. */
 const DENSITIES = [[468, 898], [1833, 3592], [7257, 14368], [28881, 57472]];
 
-test("a GLB of every density passes the validator, which says so on the page before the download", async ({ editor, page }) => {
+test("a GLB of each density passes the validator, and the page reports it before the download", async ({ editor, page }) => {
   await editor.untilLoaded();
   await editor.move("nose tip", "z", 5);
   await editor.unfold("section-export");
@@ -34,7 +34,7 @@ test("a GLB of every density passes the validator, which says so on the page bef
   }
 });
 
-test("a painted OBJ comes with its material and its picture, and a face for printing or for a phone as one package", async ({ editor }) => {
+test("a textured OBJ includes its material and texture; 3MF and USDZ are single packages", async ({ editor }) => {
   await editor.unfold("section-export");
   for (const { format, ending, names } of [
     { format: "obj", ending: "zip", names: ["face.obj", "face.mtl", "face.png"] },
@@ -48,7 +48,7 @@ test("a painted OBJ comes with its material and its picture, and a face for prin
   }
 });
 
-test("the panel says what the GLB holds, is called and weighs, and its verdict, until the face changes", { tag: "@rare" }, async ({ editor, page }) => {
+test("the panel shows the GLB's name, content, size and verdict until the face changes", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.untilLoaded();
   await editor.move("nose tip", "z", 5);
   await editor.unfold("section-export");
@@ -63,7 +63,7 @@ test("the panel says what the GLB holds, is called and weighs, and its verdict, 
   await page.check("#export-unlit");
   await page.check("#export-morphs");
   const { extensionsUsed, images, meshes } = (await downloadedGlb(editor)).json;
-  assert.ok(await page.isVisible("#verdict[data-verdict='valid']"), "no verdict beside the download");
+  assert.ok(await page.isVisible("#verdict[data-verdict='valid']"), "no verdict next to the download");
   assert.deepEqual(extensionsUsed, ["KHR_materials_unlit"]);
   assert.ok("COLOR_0" in meshes[0].primitives[0].attributes && !images);
   assert.equal(meshes[0].primitives[0].targets.length, 1);
@@ -83,7 +83,7 @@ test("the panel says what the GLB holds, is called and weighs, and its verdict, 
   assert.equal((await facts()).length, 2, "the size is that of another file");
 });
 
-test("what is printed is measured before the download as by the command line, and an STL is the same to the byte", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the print measurements match the command line, and the STL matches byte for byte", { tag: "@rare" }, async ({ visitor, page }) => {
   await openAsCommandLine(visitor);
   await visitor.reach("#print-facts");
   for (const [solid, length] of [["thickness", "2"], ["flat", "3"], ["surface"]]) {
@@ -99,7 +99,7 @@ test("what is printed is measured before the download as by the command line, an
   }
 });
 
-test("a body that cannot be printed is refused with what would do", { tag: "@rare" }, async ({ editor, page }) => {
+test("a body that cannot be printed is refused with an allowed length", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.reach("#print-facts");
   let downloads = 0;
   page.on("download", () => (downloads += 1));
@@ -126,7 +126,7 @@ test("a body that cannot be printed is refused with what would do", { tag: "@rar
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("the GLB is handed on, the picture copied and the face shown in the room where the browser can", { tag: "@rare" }, async ({ open }) => {
+test("browsers with the features can share the GLB, copy the picture and open AR", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [takeFiles] });
   const { page } = visitor;
   await visitor.openFace("ana");
@@ -136,7 +136,7 @@ test("the GLB is handed on, the picture copied and the face shown in the room wh
   assert.deepEqual([shared.name, shared.type], ["ana.glb", "model/gltf-binary"]);
   assert.deepEqual(await validateGlb(shared.bytes), { clean: true, counts: "0/0/0/0", messages: [] });
 
-  // It is said for a moment only, which reading the file may outlast.
+  // The toast may disappear while the file is read.
   const said = page.waitForSelector("#toast:not([hidden])").then((toast) => toast.innerText());
   await page.click("#copy-picture");
   const copied = await taken(page, "copied");
@@ -160,21 +160,21 @@ test("the GLB is handed on, the picture copied and the face shown in the room wh
   assert.equal((await Promise.all([page.waitForEvent("download"), page.click("#share-glb")]))[0].suggestedFilename(), "ana.glb");
 });
 
-test("a browser that neither hands on nor copies nor shows in the room has no buttons for it", { tag: "@rare" }, async ({ open }) => {
+test("without share, clipboard and AR support, their buttons are hidden", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: ["delete Navigator.prototype.canShare; delete window.ClipboardItem"] });
   await visitor.openFace();
   await visitor.unfold("section-export");
   for (const id of ["share-glb", "share-pair", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
 });
 
-/** What the page says that a body measures: millimetres, cm³ and g, with the rounding of its folds if there is any. */
+/** Printed measurements on the page: mm, cm³ and g, and the rounding of folds if there is any. */
 async function measured(page) {
   await page.waitForSelector("#export-print:not([data-measuring])");
   const said = await page.locator("#print-facts dd").allInnerTexts();
   return said.map((text) => text.replaceAll(",", ""));
 }
 
-/** The same as the command line tells it. @param {string} said */
+/** The same measurements from the command line's output. @param {string} said */
 function toldOf(said) {
   const [, volume, size, mass, thinnest] = /a body of ([\d.]+) cm³, (.*) mm, (\d+) g .*; ([\d.]+) mm/.exec(said) ?? [];
   const [, rounded] = /rounded off by up to ([\d.]+) mm/.exec(said) ?? [];
@@ -182,7 +182,7 @@ function toldOf(said) {
   return [`${size} mm`, `${volume} cm³`, `${mass} g`, `${thinnest} mm`, ...(Number(rounded) > 0 ? [`${rounded} mm`] : [])];
 }
 
-/** Runs in the page: a face whose walls go through themselves where they are thicker. @param {{ most_mm: number }} limit */
+/** Runs in the page: rejects walls thicker than a limit. @param {{ most_mm: number }} limit */
 async function refuseWalls({ most_mm }) {
   const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
   for (const method of ["solidFacts", "exportFile"]) {
@@ -195,7 +195,7 @@ async function refuseWalls({ most_mm }) {
   }
 }
 
-/** Runs in the page before its own scripts: a browser that hands on, copies and shows in the room, or refuses all at once. */
+/** Runs in the page before its own scripts: supports share, clipboard and AR, or refuses each. */
 function takeFiles() {
   const keep = async (/** @type {string} */ what, /** @type {Blob & { name?: string }} */ file) => {
     if (window["refuses"]) throw new DOMException("refused", "NotAllowedError");
@@ -207,12 +207,12 @@ function takeFiles() {
   DOMTokenList.prototype.supports = (/** @type {string} */ token) => token === "ar";
 }
 
-/** What was handed over. @param {import("@playwright/test").Page} page @param {string} what */
+/** Waits for the file that the page passed on. @param {import("@playwright/test").Page} page @param {string} what */
 async function taken(page, what) {
   return (await page.waitForFunction((what) => window[what], what)).jsonValue();
 }
 
-/** Downloads the GLB, has it validated here as well, and reads its description. */
+/** Downloads the GLB, validates it and parses its JSON. */
 async function downloadedGlb(visitor) {
   const { name, bytes } = await visitor.save("download-glb");
   assert.deepEqual(await validateGlb(bytes), { clean: true, counts: "0/0/0/0", messages: [] });

@@ -6,7 +6,12 @@ import { difference } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
 
-/** The number field of an expression, in per cent. @param {import("./visitor.mjs").Visitor} visitor @param {string} expression */
+/**
+ * Number field of an expression, in per cent.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {string} expression
+ */
 function fieldOf({ page }, expression) {
   return page.locator(`[data-expression="${expression}"] input[type=number]`);
 }
@@ -19,7 +24,7 @@ async function express(visitor, expression, perCent) {
   await visitor.frames(3);
 }
 
-test("an expression is seen, undone, outlives a reload, and is a morph target by its name", { tag: "@eyes" }, async ({ editor, page }) => {
+test("an expression is visible, can be undone, survives a reload, and becomes a named morph target", { tag: "@eyes" }, async ({ editor, page }) => {
   const [rest, shape] = [await editor.view(), await editor.meshJson("mm")];
   await express(editor, "jawOpen", 60);
   assert.deepEqual(await editor.history(), ["Mouth open"]);
@@ -47,7 +52,7 @@ test("an expression is seen, undone, outlives a reload, and is a morph target by
   assert.equal(weights[extras.targetNames.indexOf("jawOpen")], 0.6);
 });
 
-test("both sides go together or apart, and rest takes all back as one change", { tag: "@rare" }, async ({ editor, page }) => {
+test("both sides can move together or apart, and reset is one undo step", { tag: "@rare" }, async ({ editor, page }) => {
   const shape = await editor.meshJson("mm");
   await editor.unfold("section-expressions");
   await page.check("#expressions-both");

@@ -5,10 +5,10 @@ import { assertSameMesh, furthest, way } from "./meshes.mjs";
 import { AS_THE_PAGE } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** The wings of the nose, right and left. */
+/** The alae of the nose, right and left. */
 const WINGS = [64, 294];
 
-test("nose width moves both sides alike, is one entry, and is what the command line does", async ({ editor, page }) => {
+test("nose width moves both sides equally, is one entry, and equals the command line's result", async ({ editor, page }) => {
   assert.equal(await page.locator("#face-sliders .slider").count(), 10);
   const before = await editor.meshJson("mm");
 
@@ -34,7 +34,7 @@ test("nose width moves both sides alike, is one entry, and is what the command l
   assert.equal(await editor.sliderValue("nose-width"), amount_mm);
 });
 
-test("a slider stands at the sum of its entries, and a double click on its name puts it back", { tag: "@rare" }, async ({ editor, page }) => {
+test("a slider shows the sum of its entries, and a double click on its name resets it", { tag: "@rare" }, async ({ editor, page }) => {
   const start = await editor.meshJson("mm");
   await editor.slide("lip-fullness", 2);
   await editor.slide("chin-length", -3);
@@ -53,7 +53,7 @@ test("a slider stands at the sum of its entries, and a double click on its name 
   assert.ok(furthest(start, await editor.meshJson("mm")) < 1e-9);
 });
 
-test("the sliders work by keyboard, speak Portuguese, and leave the selected landmark in hand", async ({ editor, page }) => {
+test("sliders work by keyboard and in Portuguese, and keep the selected landmark", async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("[data-slider='jaw-width'] .slider-label"), "Largura da mandíbula");
@@ -69,7 +69,7 @@ test("the sliders work by keyboard, speak Portuguese, and leave the selected lan
   assert.equal(await editor.landmark(), 1);
 });
 
-test("symmetry is an action with a share, listed and undone like any edit", { tag: "@rare" }, async ({ editor, page }) => {
+test("symmetry is an action with a percentage, listed and undone like an edit", { tag: "@rare" }, async ({ editor, page }) => {
   const before = await editor.meshJson("mm");
   await editor.unfold("section-face");
   await page.fill("#symmetrise-share", "100");

@@ -11,7 +11,7 @@ import { panicIn, refuseDatabase } from "./watches.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("each face of a group keeps its own edits and name: going to the other one and back loses nothing", async ({ visitor, page }) => {
+test("each face of a group keeps its edits and name when you switch between them", async ({ visitor, page }) => {
   await openGroup(visitor);
   assert.equal((await visitor.save("download-glb")).name, "group.glb");
   await visitor.move("nose tip", "z", 9);
@@ -31,21 +31,21 @@ test("each face of a group keeps its own edits and name: going to the other one 
 
   await choose(visitor, 0);
   assert.deepEqual(await visitor.work(), first);
-  assert.ok(await page.isChecked("#wireframe"), "how the face is looked at went back with it");
+  assert.ok(await page.isChecked("#wireframe"), "the view settings changed with the face");
   await page.click("#toolbar [data-action='undo']");
   assert.notDeepEqual((await visitor.work()).mesh, first.mesh);
   await page.click("#toolbar [data-action='redo']");
 
   await choose(visitor, 1);
   assert.deepEqual(await visitor.work(), second);
-  // Each has one slot, and one of them is the tab's.
+  // Each face has one slot; the tab holds the lock of one.
   await untilKept(page);
   const kept = await keptWorks(page);
   assert.deepEqual(kept.map(({ name, isHeld }) => [name, isHeld]).sort(), [["group", false], ["group-2", true]]);
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
 
-test("work that went back and forth is there after a reload, the face that was shown last first", async ({ visitor, page }) => {
+test("after switching faces, a reload offers the last shown face with its work", async ({ visitor, page }) => {
   await openGroup(visitor);
   await visitor.move("nose tip", "z", 9);
   for (const index of [1, 0, 1, 0]) await choose(visitor, index);
@@ -57,14 +57,14 @@ test("work that went back and forth is there after a reload, the face that was s
   assert.deepEqual(await visitor.work(), first);
 });
 
-test("the face before is one press away, with its edits, and so is the one that was left for it", { tag: "@rare" }, async ({ editor, page }) => {
-  assert.ok(await page.isHidden("#faces"), "there is nothing to go back to yet");
+test("the previous face is one click away with its edits, in both directions", { tag: "@rare" }, async ({ editor, page }) => {
+  assert.ok(await page.isHidden("#faces"), "there is a previous face");
   await editor.move("nose tip", "z", 9);
   const photo = await editor.work();
   const project = await editor.download("save-project");
   const glb = await editor.download("download-glb");
 
-  // Whatever takes the place of a face can be taken back: a project, a GLB, another photo.
+  // Each kind of file that replaces a face can be reverted: project, GLB and photo.
   const others = [
     { bytes: project, name: "other.rosto" },
     { bytes: glb, name: "other.glb" },
@@ -84,7 +84,7 @@ test("the face before is one press away, with its edits, and so is the one that 
   assert.ok(await page.isHidden("#face-choice"));
 });
 
-test("photos before the last one are there, too, each with its edits and by its name", { tag: "@rare" }, async ({ visitor, page }) => {
+test("earlier photos are offered by name, with their edits", { tag: "@rare" }, async ({ visitor, page }) => {
   const left = new Map();
   for (const [place, name] of ["ana", "bia", "clara", "dora", "eva"].entries()) {
     await visitor.openFace(name);
@@ -93,20 +93,20 @@ test("photos before the last one are there, too, each with its edits and by its 
     left.set(name, await visitor.work());
   }
   const offered = () => page.locator("#earlier-faces button").evaluateAll((buttons) => buttons.map((button) => button.title));
-  assert.deepEqual(await offered(), ["Back to clara", "Back to bia"], "beside dora, who is the face before");
+  assert.deepEqual(await offered(), ["Back to clara", "Back to bia"], "next to dora, the previous face");
   await page.click("#earlier-faces button[title='Back to bia']");
   await untilNamed(visitor, "bia");
   assert.deepEqual(await visitor.work(), left.get("bia"));
   assert.deepEqual(await offered(), ["Back to dora", "Back to clara"]);
   await goBack(visitor, "eva");
   assert.deepEqual(await visitor.work(), left.get("eva"));
-  // Whom the strip has no room for is in the browser's database all the same.
+  // Faces that do not fit in the strip are still stored.
   await untilKept(page);
   assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
 });
 
 for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["nothing", [refuseDatabase]]])) {
-  test(`going back to a group restores each face as it was left: the browser stores ${keeps}`, { tag: "@rare" }, async ({ open }) => {
+  test(`returning to a group restores each face; the browser stores ${keeps}`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ scripts: [...scripts] });
     const { page } = visitor;
     await openGroup(visitor);
@@ -129,12 +129,12 @@ for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["noth
   });
 }
 
-test("of faces chosen one right after the other the last is shown; a restart of the module changes nothing", { tag: "@rare" }, async ({ visitor, page }) => {
+test("of faces chosen in quick succession the last is shown, and a restart of the module changes nothing", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await openGroup(visitor);
   await visitor.move("nose tip", "z", 9);
   const first = await visitor.work();
-  // In one task, faster than any of them can be opened.
+  // In one task, faster than a face can open.
   await page.evaluate(() => {
     const [one, other] = document.querySelectorAll("#face-options input");
     for (const input of [other, one, other, one]) input.click();
@@ -142,7 +142,7 @@ test("of faces chosen one right after the other the last is shown; a restart of 
   await visitor.frames(20);
   assert.deepEqual(await chosen(page), [true, false]);
   assert.deepEqual(await visitor.work(), first);
-  // A photo without a face takes nobody's place.
+  // A file without a face replaces nothing.
   await visitor.drop(Buffer.from("no picture"), "broken.jpg");
   await page.waitForSelector("#notice[data-code='not-a-picture']");
   assert.deepEqual(await chosen(page), [true, false]);
@@ -157,7 +157,7 @@ test("of faces chosen one right after the other the last is shown; a restart of 
   assert.deepEqual(await visitor.work(), first);
 });
 
-test("more faces than a phone is wide are reached by a swipe, and the one that is chosen is in sight", { tag: "@rare" }, async ({ open }) => {
+test("on a phone the strip of faces scrolls, and the chosen face is visible", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
   await visitor.openFace();
@@ -167,7 +167,7 @@ test("more faces than a phone is wide are reached by a swipe, and the one that i
   const strip = await page.locator("#faces").boundingBox();
   assert.ok(strip.x >= 0 && strip.x + strip.width <= 360, JSON.stringify(strip));
   const last = page.locator("#face-options canvas").nth(5);
-  assert.ok((await last.boundingBox()).x > 360, "all fit: nothing is looked at here");
+  assert.ok((await last.boundingBox()).x > 360, "the strip does not overflow");
   await page.locator("#face-options input").nth(5).focus();
   await page.locator("#face-options input").nth(5).press("Space");
   await untilNamed(visitor, "group-6");
@@ -177,7 +177,7 @@ test("more faces than a phone is wide are reached by a swipe, and the one that i
 });
 
 for (const [{ width, height }, tag] of alike([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
-  test(`at ${width}×${height} the faces of a group are offered over the stage, and lie over nothing else`, { tag }, async ({ open }) => {
+  test(`at ${width}×${height} the faces of a group appear over the stage and cover no other element`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.openFace();
@@ -197,7 +197,7 @@ for (const [{ width, height }, tag] of alike([{ width: 390, height: 844 }, { wid
   });
 }
 
-/** Another face of the group, by its place in the strip. */
+/** Chooses a face of the group by its index in the strip. */
 async function choose(visitor, index) {
   await chooseFace(visitor, index);
   await untilNamed(visitor, index === 0 ? "group" : `group-${index + 1}`);
@@ -208,7 +208,7 @@ async function goBack(visitor, name) {
   await untilNamed(visitor, name);
 }
 
-/** Waits until the face of that name is open: files are named after it. */
+/** Waits until the face with this name is open, by the name of its files. */
 async function untilNamed(visitor, name) {
   await expect(visitor.page.locator("#export-name")).toHaveText(new RegExp(`^${name}(-\\d{3,})?\\.glb$`));
   await visitor.untilFace();

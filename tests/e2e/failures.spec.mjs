@@ -1,4 +1,4 @@
-// What the page says when something fails is so, and stays until it is read.
+// Notices after failures are correct and stay until dismissed.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -8,14 +8,14 @@ import { dieBefore, watchGpus } from "./watches.mjs";
 
 test.use({ visit: { scripts: [watchGpus] } });
 
-/** The sample with an edit of the nose tip; resolves to the mesh. */
+/** Opens the sample and moves the nose tip; returns the mesh. */
 async function work(visitor) {
   await visitor.openFace();
   await visitor.move("nose tip", "z", 7);
   return visitor.meshJson("mm");
 }
 
-/** Presses a button that is to make a file, and waits for a notice; no file may come. */
+/** Presses a button that saves a file, and expects a notice and no file. */
 async function failToSave(visitor, action) {
   const { page } = visitor;
   const files = [];
@@ -29,7 +29,7 @@ async function failToSave(visitor, action) {
   return notice;
 }
 
-test("what was there is still there when there is no memory for what was to be opened", async ({ visitor, page }) => {
+test("the open work stays when memory runs out while another file opens", async ({ visitor, page }) => {
   const mesh = await work(visitor);
   await page.evaluate(() => {
     const create = globalThis.createImageBitmap;
@@ -47,11 +47,11 @@ test("what was there is still there when there is no memory for what was to be o
 });
 
 for (const { loss, lose, label, code, tag } of [
-  { loss: "the graphics card", lose: loseGpu, code: "not-drawn", tag: [] },
+  { loss: "the GPU", lose: loseGpu, code: "not-drawn", tag: [] },
   { loss: "memory for the picture", lose: starve, label: "still", code: "no-memory", tag: [] },
-  { loss: "memory for what it is drawn into", lose: starve, label: "attachment", code: "no-memory", tag: ["@rare"] },
+  { loss: "memory for the render target", lose: starve, label: "attachment", code: "no-memory", tag: ["@rare"] },
 ]) {
-  test(`a picture for which ${loss} is lost is not saved, and the page says why until it is read`, { tag }, async ({ visitor, page }) => {
+  test(`a picture that fails because ${loss} is lost is not saved, and the notice stays until dismissed`, { tag }, async ({ visitor, page }) => {
     const mesh = await work(visitor);
     const gpus = await page.evaluate("gpus.length");
     await page.evaluate(lose, label);
@@ -72,7 +72,7 @@ for (const [{ reply, action, code }, tag] of alike([
   { reply: "drawn", action: "download-photo-png", code: "photo-not-written" },
   { reply: "textured", action: "download-glb", code: "texture-not-made" },
 ])) {
-  test(`a worker that dies before it has ${reply} what goes into a file is not said to have been reading a photo`, { tag }, async ({ visitor, page }) => {
+  test(`the notice names the right task if the worker crashes before it has ${reply}`, { tag }, async ({ visitor, page }) => {
     const doom = (worker) => worker.evaluate(dieBefore, reply).catch(() => {});
     page.on("worker", doom);
     await visitor.untilLoaded();
@@ -85,7 +85,7 @@ for (const [{ reply, action, code }, tag] of alike([
   });
 }
 
-test("a notice shows above a dialog that is open, can be closed there, and is on the stage again after the dialog", async ({ editor, page }) => {
+test("a notice appears over an open dialog, can be closed there, and returns to the stage afterwards", async ({ editor, page }) => {
   const dropWords = () => editor.drop(Buffer.from("words"), "words.txt");
   const isOnTop = () => page.evaluate(() => {
     const notice = document.getElementById("notice");
@@ -108,7 +108,7 @@ test("a notice shows above a dialog that is open, can be closed there, and is on
   await page.waitForSelector("#notice:not(dialog #notice)");
   assert.ok(await isOnTop());
 
-  // One that shows already comes along.
+  // A visible notice moves into the dialog.
   await page.focus("#viewport");
   await page.keyboard.press("?");
   await page.waitForSelector("#keys[open]");
@@ -116,7 +116,7 @@ test("a notice shows above a dialog that is open, can be closed there, and is on
   assert.ok(await isOnTop());
 });
 
-/** Runs in the page, as the next: the next picture takes the graphics card along with itself. */
+/** Runs in the page: destroys the GPU device with the next picture. */
 function loseGpu() {
   const map = GPUBuffer.prototype.mapAsync;
   GPUBuffer.prototype.mapAsync = function (...how) {
@@ -126,7 +126,7 @@ function loseGpu() {
   };
 }
 
-/** The next texture with a label is asked for in a size that no GPU has memory for. */
+/** Runs in the page: asks for the next texture with this label in an impossible size. */
 function starve(label) {
   const create = GPUDevice.prototype.createTexture;
   GPUDevice.prototype.createTexture = function (wanted) {

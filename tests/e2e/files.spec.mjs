@@ -4,10 +4,10 @@ import { test } from "./fixtures.mjs";
 import { heic, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** The largest photo that is taken. */
+/** Maximum size of a photo. */
 const MAX_PHOTO_BYTES = 40_000_000;
 
-test("of several files the first that can be opened is, and the page says that it is one of them", async ({ visitor, page }) => {
+test("of several files the first that can be opened is opened, and a notice says so", async ({ visitor, page }) => {
   await visitor.untilItAnswers();
   const portrait = await readFile(SAMPLE);
   const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };
@@ -25,7 +25,7 @@ test("of several files the first that can be opened is, and the page says that i
     await page.waitForSelector("#notice", { state: "hidden" });
   }
 
-  // A type speaks where a name does not, and what cannot be opened says so.
+  // The MIME type counts if the name has no extension. A file that cannot be opened shows an error.
   await bring(page, "drop", [notes, { ...photo, name: "portrait" }]);
   await visitor.untilFace();
   assert.match((await visitor.notice()).text, /One of 2 files/);
@@ -33,7 +33,7 @@ test("of several files the first that can be opened is, and the page says that i
   await page.waitForSelector("#notice[data-code='unsupported-format']");
 });
 
-test("an address, text or a picture's HTML gets an answer, and text fields still take text", async ({ visitor, page }) => {
+test("a dropped URL, text or HTML shows a notice, and text fields still accept text", async ({ visitor, page }) => {
   await visitor.dropSample();
   const words = [
     { "text/uri-list": "https://example.com/me.jpg", "text/plain": "https://example.com/me.jpg" },
@@ -60,7 +60,7 @@ test("an address, text or a picture's HTML gets an answer, and text fields still
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a dropped folder gets an answer", async ({ visitor }, testInfo) => {
+test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
   await visitor.untilItAnswers();
   const photos = testInfo.outputPath("photos.png");
   await mkdir(photos);
@@ -71,7 +71,7 @@ test("a dropped folder gets an answer", async ({ visitor }, testInfo) => {
   await visitor.page.waitForSelector("#notice", { state: "hidden" });
 });
 
-test("a file of gigabytes is too large, not unreadable; the limit is where the worker has it", async ({ visitor, page }, testInfo) => {
+test("a file of gigabytes is reported as too large, at the worker's limit", async ({ visitor, page }, testInfo) => {
   await visitor.untilItAnswers();
   for (const [bytes, code] of /** @type {const} */ ([
     [3 * 2 ** 30, "too-many-bytes"],
@@ -79,7 +79,7 @@ test("a file of gigabytes is too large, not unreadable; the limit is where the w
     [MAX_PHOTO_BYTES + 1, "too-many-bytes"],
   ])) {
     const name = testInfo.outputPath(`${bytes}.jpg`);
-    // A file with a hole: it has the size, but fills no disk.
+    // A sparse file needs no disk space.
     await writeFile(name, "");
     await truncate(name, bytes);
     await page.setInputFiles("#photo-file", name);
@@ -89,7 +89,7 @@ test("a file of gigabytes is too large, not unreadable; the limit is where the w
   await visitor.dropSample();
 });
 
-/** Drops or pastes files, or data by MIME type, as other programs bring them. */
+/** Drops or pastes files, or data by MIME type. */
 async function bring(page, way, files, data = {}) {
   const parts = files.map(({ bytes, ...named }) => ({ bytes: new Uint8Array(bytes), ...named }));
   await page.evaluate(
@@ -107,7 +107,7 @@ async function bring(page, way, files, data = {}) {
   );
 }
 
-/** Drops what lies on the disk, as a file manager does. */
+/** Drops files from disk, as a file manager does. */
 async function dropFromDesktop(page, files) {
   const browser = await page.context().newCDPSession(page);
   const data = { items: [], files, dragOperationsMask: 1 };

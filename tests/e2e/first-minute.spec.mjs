@@ -3,7 +3,7 @@ import { PNG } from "pngjs";
 import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-test("hints wait for the deed, one after the other; a dot pulses where to drag; who comes again knows", { tag: "@rare" }, async ({ visitor, page }) => {
+test("hints stay until followed, a dot marks the point to drag, and returning users see neither", { tag: "@rare" }, async ({ visitor, page }) => {
   const hint = async () => ((await page.isVisible("#hint")) ? page.textContent("#hint") : "");
   await visitor.dropSample();
   assert.equal(await hint(), "Drag the nose");
@@ -12,20 +12,20 @@ test("hints wait for the deed, one after the other; a dot pulses where to drag; 
   assert.ok(off_px < 2, `the dot is ${off_px} px from the nose`);
   const beside = await visitor.besideTheFace();
   await page.mouse.click(beside.x, beside.y);
-  assert.equal(await hint(), "Drag the nose", "a click is not the deed");
+  assert.equal(await hint(), "Drag the nose", "a click does not complete the hint");
   await visitor.drag(tip, { x: 0, y: -20 });
   assert.ok(await page.isHidden("#pulse"));
   assert.equal(await hint(), "Drag outside the face to turn it");
   await visitor.drag(beside, { x: 30, y: 0 });
   assert.equal(await hint(), "");
   await visitor.dropSample();
-  assert.equal(await hint(), "", "a hint was given twice");
+  assert.equal(await hint(), "", "a hint was repeated");
   await page.reload();
   await visitor.dropSample();
-  assert.equal(await hint(), "", "a hint was given to who knows");
+  assert.equal(await hint(), "", "a completed hint was shown after a reload");
 });
 
-test("a hint for fingers speaks of fingers", { tag: "@rare" }, async ({ open }) => {
+test("on touch devices the hint mentions fingers", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
   await visitor.dropSample();
@@ -37,7 +37,7 @@ test("a hint for fingers speaks of fingers", { tag: "@rare" }, async ({ open }) 
   assert.match(await page.innerText("#hint"), /two fingers/);
 });
 
-test("a face that has arrived turns a little and back, but not for who asked for less motion", { tag: "@rare" }, async ({ open }) => {
+test("a new face swings briefly, except with reduced motion", { tag: "@rare" }, async ({ open }) => {
   for (const reducedMotion of /** @type {const} */ (["no-preference", "reduce"])) {
     const visitor = await open({ reducedMotion });
     const { page } = visitor;
@@ -66,7 +66,7 @@ test("a face that has arrived turns a little and back, but not for who asked for
 });
 
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {
-  test(`before a photo nothing but the wireframe lies over the page's ground: ${drawn}`, { tag: `@${needs}` }, async ({ open }) => {
+  test(`before a photo opens, only the wireframe covers the background: ${drawn}`, { tag: `@${needs}` }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });
     await visitor.untilLoaded();
     const { data, width, height } = await visitor.view();

@@ -1,5 +1,4 @@
-// The worker follows a face through the frames of a camera, as the page's side of it is asked to; the page's controls have
-// no part in it.
+// The worker tracks a face in camera frames. The tests use the page's VisionClient, not its controls.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { portraitLandmarks } from "./video.mjs";
@@ -9,13 +8,13 @@ import { dieBefore } from "./watches.mjs";
 
 /** @typedef {import("./following-page.mjs").Seen} Seen */
 
-/** The film takes four seconds. */
+/** The video takes four seconds. */
 const WATCHED_MS = 9000;
-/** So long after the face has come to rest the smoothing has done so, too. */
+/** Number of frames after which the smoothing has settled. */
 const SETTLED_FRAMES = 10;
 
 const test = base.extend({
-  /** The exports of following-page.mjs, in the page: these files are there beside its own. */
+  /** The exports of following-page.mjs, imported into the page. */
   following: async ({ page }, use) => {
     const fileOf = (url) => path.join(import.meta.dirname, path.basename(url));
     await page.route("**/film/*", (route) => route.fulfill({ path: fileOf(route.request().url()) }));
@@ -23,7 +22,7 @@ const test = base.extend({
   },
 });
 
-test("a camera's face is followed: it rests where the film has it, and does not lag when it moves", { tag: "@moving-camera" }, async ({ following }) => {
+test("tracking a camera's face is accurate at rest and does not lag in motion", { tag: "@moving-camera" }, async ({ following }) => {
   const seen = await following.evaluate(({ watch }, duration_ms) => watch(duration_ms), WATCHED_MS);
   assert.ok(seen.length > 30, `${seen.length} frames in ${WATCHED_MS} ms`);
   for (const { number, landmarks_px, answersMeanwhile } of seen) {
@@ -33,26 +32,26 @@ test("a camera's face is followed: it rests where the film has it, and does not 
 
   const still = seen.filter(({ number }) => number >= SETTLED_FRAMES && number < STILL_FRAMES);
   const rest = meanOf(still);
-  assert.ok(jitter_px(still, rest) < 0.3, `it trembles by ${jitter_px(still, rest)} px`);
+  assert.ok(jitter_px(still, rest) < 0.3, `jitter of ${jitter_px(still, rest)} px`);
   const truth = (await portraitLandmarks()).map((point) => carried(placeIn(0), point));
   const off_px = mean(rest.map(([x, y], point) => Math.hypot(x - truth[point][0], y - truth[point][1])));
-  assert.ok(off_px < 2, `it is ${off_px} px from where the film has it`);
+  assert.ok(off_px < 2, `it is ${off_px} px off`);
 
   const lags_ms = seen.filter(({ number }) => speedIn(number) !== 0).map((frame) => lag_ms(frame, rest));
-  assert.ok(lags_ms.length > 10, `${lags_ms.length} frames show it under way`);
+  assert.ok(lags_ms.length > 10, `${lags_ms.length} frames show motion`);
   const lag = mean(lags_ms);
   assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
 });
 
-test("of frames that come at once the first and the last are answered, stopping answers all, and a worker that dies is replaced", async ({ visitor, page, following }) => {
-  // The page's own workers are started by then.
+test("of frames sent together the first and last are answered, stopping answers all, and a crashed worker is replaced", async ({ visitor, page, following }) => {
+  // The page's own workers have started.
   await visitor.untilLoaded();
   const vision = await following.evaluateHandle(({ client }) => client());
   const { answered, left } = await vision.evaluate(async (vision) => {
     const frames = await Promise.all(Array.from({ length: 6 }, () => createImageBitmap(new ImageData(64, 48))));
     const answers = await Promise.all(frames.map((frame, number) => vision.follow(frame, 33 * number)));
     for (const answer of answers) answer?.frame.close();
-    // A bitmap that was closed or handed over has no size.
+    // A closed or transferred bitmap has no size.
     return { answered: answers.map((answer) => answer?.time_ms ?? null), left: frames.filter(({ width }) => width > 0).length };
   });
   assert.deepEqual(answered, [0, null, null, null, null, 165]);
@@ -77,7 +76,7 @@ test("of frames that come at once the first and the last are answered, stopping 
   assert.deepEqual({ reasons, again, starts }, { reasons: ["worker-died", "worker-died"], again: 363, starts: 2 });
 });
 
-test("a large frame is read smaller, and its landmarks are where they are in it", { tag: "@rare" }, async ({ following }) => {
+test("a large frame is downscaled, and its landmarks keep their positions", { tag: "@rare" }, async ({ following }) => {
   const [small, large] = await following.evaluate(async ({ client }) => {
     const vision = await client();
     const portrait = await createImageBitmap(await (await fetch(new URL("assets/sample.png", document.baseURI))).blob());
@@ -92,7 +91,7 @@ test("a large frame is read smaller, and its landmarks are where they are in it"
     }
     return found;
   });
-  // The middle of the first pixel is at 0 in both.
+  // The centre of the first pixel is at 0 at both scales.
   const off = (axis) => mean(large.flatMap((at, index) => (index % 3 === axis ? [at - 3 * small[index] - 1] : [])));
   assert.ok(Math.abs(off(0)) < 0.5 && Math.abs(off(1)) < 0.5, `${off(0)}, ${off(1)} px of 1920 × 1440`);
 });
@@ -107,13 +106,13 @@ function meanOf(frames) {
   return frames[0].landmarks_px.map((_, point) => [0, 1].map((axis) => mean(frames.map(({ landmarks_px }) => landmarks_px[point][axis]))));
 }
 
-/** Root of the mean square. @param {Seen[]} frames @param {number[][]} rest */
+/** Root mean square. @param {Seen[]} frames @param {number[][]} rest */
 function jitter_px(frames, rest) {
   const squares = frames.map(({ landmarks_px }) => mean(landmarks_px.map(([x, y], point) => (x - rest[point][0]) ** 2 + (y - rest[point][1]) ** 2)));
   return Math.sqrt(mean(squares));
 }
 
-/** How long ago the face was where the landmarks are. @param {Seen} frame @param {number[][]} rest */
+/** Delay between the face's motion and the landmarks, in ms. @param {Seen} frame @param {number[][]} rest */
 function lag_ms({ number, landmarks_px }, rest) {
   const aside = placeIn(number).x - placeIn(0).x;
   const behind = mean(landmarks_px.map(([x], point) => rest[point][0] + aside - x));

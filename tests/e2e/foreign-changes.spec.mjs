@@ -8,7 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("a GLB of the command line's finest mesh opens, with a pending edit, and can be edited further", { tag: "@rare" }, async ({ visitor, page }) => {
+test("a GLB of the command line's finest mesh opens with a pending edit and can be edited", { tag: "@rare" }, async ({ visitor, page }) => {
   const options = "--units mm --topology canonical --density 4 --edit 20000@4:0,0,2 --edit 1:0,0,6".split(" ");
   const glb = await glbByCommandLine(SAMPLE, options);
   await visitor.drop(glb, "dense.glb");
@@ -37,7 +37,7 @@ test("a GLB of the command line's finest mesh opens, with a pending edit, and ca
   assert.equal(await page.locator("#history .waits").count(), 1);
 });
 
-test("a GLB whose shape another program has changed opens as it was saved, with a notice; one with a halved texture, too", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a halved texture is accepted", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.move("nose tip", "z", 6);
   const { positions } = await editor.meshJson("mm");
   const glb = await editor.download("download-glb");
@@ -73,14 +73,14 @@ test("a GLB whose shape another program has changed opens as it was saved, with 
   }
 });
 
-/** Nothing is selected any more, and the pointer is away: the view shows no marks. */
+/** Clears the selection and moves the pointer away, so that the view shows no marks. */
 async function letGo(editor) {
   const { x, y } = await editor.besideTheFace();
   await editor.page.mouse.click(x, y);
   await editor.page.mouse.move(4, 4);
 }
 
-/** A picture at half its width and height, as a JPEG. */
+/** Halves a picture's width and height, as JPEG. */
 async function halfAsLarge(page, bytes) {
   const jpeg = await page.evaluate(async (bytes) => {
     const picture = await createImageBitmap(new Blob([bytes]));

@@ -4,13 +4,13 @@ import { test } from "./fixtures.mjs";
 
 const picture = (name) => readFile(new URL(`pictures/${name}`, import.meta.url));
 
-/** Where the drawn face has its nose tip and its chin, in widths and heights of the picture. */
+/** Nose tip and chin of the drawn face, as fractions of the picture's size. */
 const NOSE_TIP = { landmark: 1, x: 0.5, y: 0.64 };
 const CHIN = { landmark: 152, x: 0.5, y: 0.9 };
-/** A hundredth of the photo's height is 2 px. */
+/** Tolerance as a fraction of the photo's size; 0.01 is 2 px. */
 const NEAR = 0.04;
 
-test("an AVIF, which the browser decodes, becomes a face, upright and in its colours, or gets a message", async ({ visitor, page }) => {
+test("an AVIF, which the browser decodes, becomes an upright face in its colours, or shows an error", async ({ visitor, page }) => {
   const whole = await picture("drawn-face.avif");
   await visitor.drop(whole, "me.avif");
   await visitor.untilFace();
