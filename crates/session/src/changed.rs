@@ -1,15 +1,15 @@
-/// What carrying out an intent has changed. Each takes in those before it: what shows a document also shows a tick.
+/// Extent of a change made by an intent. Each variant includes those before it: showing a document also shows a tick.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Changed {
-    /// Nothing.
+    /// No change.
     #[default]
     Nothing,
-    /// What is seen, such as the camera or what the pointer is on: draw.
+    /// The view, such as the camera or the hovered vertex: redraw.
     View,
-    /// How far the edit in progress has gone: show [`Tick`](crate::Tick).
+    /// The offset of the edit in progress: read [`Tick`](crate::Tick).
     Tick,
-    /// What is selected, chosen, held or done: show the whole [`State`](crate::State).
+    /// The selection, settings, prepared edit or history: read [`State`](crate::State).
     Document,
-    /// The mesh itself: vertices, triangles or the face.
+    /// The mesh: vertices, triangles or the face.
     Mesh,
 }

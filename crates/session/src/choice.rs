@@ -1,53 +1,52 @@
-//! What is chosen among named things, and how: panels are filled, stored preferences are read and the session's own tests
-//! are drawn from this table.
+//! Settings with named values. The panels, stored preferences and property tests read this table.
 
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Lens, Scene, ShadingMode};
 use rosto_studio::{ConstraintKind, Details, Operator};
 
-use crate::incoming::DENSEST_SHOWN;
+use crate::incoming::MAX_SHOWN_DENSITY;
 use crate::{AnchorChoice, Intent, Preset, SelectionMode, Session, TextureSource};
 
 rosto_mesh::named! {
-    /// Something that is chosen among named things.
+    /// A setting with named values.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
     pub enum Choice {
-        /// What a click or a drag selects.
+        /// Kind of selection made by a click or a drag.
         SelectionMode = "selection",
-        /// Choices that go together.
+        /// Preset of the edit settings.
         Preset = "preset",
-        /// The Laplacian.
+        /// Discrete Laplacian.
         Operator = "operator",
         /// Whether handles and anchors are soft or hard constraints.
         Constraint = "constraint",
-        /// Whether details turn with the surface.
+        /// Whether details rotate with the surface.
         Details = "details",
-        /// What stays in place beside the pins.
+        /// Anchors in addition to the pins.
         Anchors = "anchors",
-        /// What is on the stage.
+        /// Content of the stage.
         Scene = "scene",
-        /// How the surface is coloured.
+        /// Colouring of the surface.
         Shading = "shading",
-        /// Which picture is laid on the face.
+        /// Source of the texture.
         TextureSource = "texture-source",
-        /// How large the texture of the whole face is.
+        /// Size of the whole-face texture.
         TextureSize = "texture-size",
-        /// From how far away the face is seen.
+        /// Lens of the view.
         Lens = "lens",
-        /// How the landmarks are joined.
+        /// Triangulation of the landmarks.
         Triangulation = "triangulation",
-        /// How often the mesh is subdivided.
+        /// Subdivision level of the mesh.
         Density = "density",
     }
 }
 
-/// The constraints that are offered; the soft one has the paper's weight.
+/// The available constraints; the soft one has the paper's weight.
 const CONSTRAINTS: [(&str, ConstraintKind); 2] =
     [("exact", ConstraintKind::Hard), ("soft", ConstraintKind::Soft { weight: 1.0 })];
 
 impl Choice {
-    /// The ids of what there is to choose from, in the order that panels show them in.
+    /// Ids of the values, in the order in which panels show them.
     pub fn values(self) -> Vec<String> {
         let owned = |ids: &[&str]| ids.iter().map(|&id| id.to_owned()).collect();
         match self {
@@ -63,11 +62,11 @@ impl Choice {
             Self::TextureSize => owned(&TextureSize::ALL.map(TextureSize::id)),
             Self::Lens => owned(&Lens::ALL.map(Lens::id)),
             Self::Triangulation => owned(&Triangulation::ALL.map(Triangulation::id)),
-            Self::Density => (0..=DENSEST_SHOWN).map(|density| density.to_string()).collect(),
+            Self::Density => (0..=MAX_SHOWN_DENSITY).map(|density| density.to_string()).collect(),
         }
     }
 
-    /// The intent to choose what has this id; none if nothing has it.
+    /// Intent that selects the value with this id; `None` for an unknown id.
     pub fn intent(self, id: &str) -> Option<Intent> {
         Some(match self {
             Self::SelectionMode => Intent::Mode(SelectionMode::from_id(id)?),
@@ -82,13 +81,13 @@ impl Choice {
             Self::TextureSize => Intent::TextureSize(TextureSize::from_id(id)?),
             Self::Lens => Intent::Lens(Lens::from_id(id)?),
             Self::Triangulation => Intent::Triangulation(Triangulation::from_id(id)?),
-            Self::Density => Intent::Density(id.parse().ok().filter(|density| *density <= DENSEST_SHOWN)?),
+            Self::Density => Intent::Density(id.parse().ok().filter(|density| *density <= MAX_SHOWN_DENSITY)?),
         })
     }
 }
 
 impl Session {
-    /// The id of what is chosen now; none where no offered one is, such as no preset.
+    /// Id of the current value; `None` if it is not an available one, such as when no preset matches.
     pub fn chosen(&self, choice: Choice) -> Option<String> {
         let (choices, view) = (self.choices(), self.view());
         let id = match choice {

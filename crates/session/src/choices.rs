@@ -7,63 +7,63 @@ use crate::error::{SessionError, within};
 
 const M_PER_MM: f64 = 1e-3;
 
-/// How far an edit may be told to reach, in mm.
-pub const RADIUS_MM: Range = Range { least: 5.0, most: 120.0, step: 1.0, usual: 25.0 };
+/// Range of the influence radius, in mm.
+pub const RADIUS_MM: Range = Range { min: 5.0, max: 120.0, step: 1.0, default: 25.0 };
 
-/// What the sliders of what is selected go through, in mm. A drag may go further.
-pub const SLIDER_MM: Range = Range { least: -40.0, most: 40.0, step: 0.1, usual: 0.0 };
+/// Range of the offset sliders of the selection, in mm. A drag can go further.
+pub const SLIDER_MM: Range = Range { min: -40.0, max: 40.0, step: 0.1, default: 0.0 };
 
-/// What a slider goes through.
+/// Range of a slider.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
-    /// Its lower end.
-    pub least: f64,
-    /// Its upper end.
-    pub most: f64,
-    /// What one key press changes.
+    /// Lower end.
+    pub min: f64,
+    /// Upper end.
+    pub max: f64,
+    /// Change per key press.
     pub step: f64,
-    /// Where it stands at first.
-    pub usual: f64,
+    /// Initial value.
+    pub default: f64,
 }
 
-/// How edits are to spread; kept from one selection, and one face, to the next.
+/// Settings of edits; they persist across selections and faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choices {
-    /// The Laplacian.
+    /// Discrete Laplacian.
     pub operator: Operator,
     /// How firmly handles and anchors are held.
     pub constraint: ConstraintKind,
-    /// What stays in place beside the pins.
+    /// Anchors in addition to the pins.
     pub anchors: AnchorChoice,
-    /// Whether the edit reaches no further than the radius.
+    /// Whether edits are limited to the influence radius.
     pub is_nearby: bool,
-    /// How far that is, along the surface at rest.
+    /// Influence radius, along the surface at rest.
     pub radius_mm: f64,
-    /// Whether the other side follows.
+    /// Whether edits are mirrored to the other side.
     pub mirror: Mirror,
-    /// Whether details turn with the surface.
+    /// Whether details rotate with the surface.
     pub details: Details,
 }
 
 rosto_mesh::named! {
-    /// What stays in place beside the pins.
+    /// Anchors in addition to the pins.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum AnchorChoice {
-        /// Two random vertices, new for each selection.
+        /// Two random vertices, drawn for each selection.
         Random = "random",
         /// The face's oval.
         Oval = "oval",
-        /// Nothing.
+        /// None.
         PinsOnly = "pins",
     }
 }
 
 rosto_mesh::named! {
-    /// Choices that go together.
+    /// A named set of edit settings.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Preset {
-        /// What a hand expects: the point goes where it is put, what is near it follows on both sides, and the outline stays
-        /// unless it is what is taken.
+        /// Settings for sculpting: the point follows the pointer exactly, its surroundings follow on both sides, and
+        /// the outline stays unless the selection is on it.
         Sculpt = "sculpt",
         /// The paper's edit.
         Paper = "paper",
@@ -71,7 +71,7 @@ rosto_mesh::named! {
 }
 
 impl Preset {
-    /// The choices; the radius is left as it is, for when it is asked for.
+    /// The preset's settings, with `radius_mm` for later use.
     pub fn choices(self, radius_mm: f64) -> Choices {
         let paper = Choices {
             operator: Operator::default(),
@@ -98,38 +98,38 @@ impl Preset {
 
 impl Default for Choices {
     fn default() -> Self {
-        Preset::Sculpt.choices(RADIUS_MM.usual)
+        Preset::Sculpt.choices(RADIUS_MM.default)
     }
 }
 
 impl Choices {
-    /// The preset that these are, if they are one.
+    /// The preset with these settings, if there is one.
     pub fn preset(&self) -> Option<Preset> {
         Preset::ALL.into_iter().find(|preset| preset.choices(self.radius_mm) == *self)
     }
 
-    /// With another radius, which edits reach no further than.
+    /// Returns the settings with edits limited to the given influence radius.
     ///
     /// # Errors
-    /// [`SessionError::OutOfRange`] beyond [`RADIUS_MM`].
+    /// [`SessionError::OutOfRange`] outside [`RADIUS_MM`].
     pub fn with_radius(self, radius_mm: f64) -> Result<Self, SessionError> {
-        let radius_mm = within("the radius in mm", radius_mm, RADIUS_MM.least, RADIUS_MM.most)?;
+        let radius_mm = within("the radius in mm", radius_mm, RADIUS_MM.min, RADIUS_MM.max)?;
         Ok(Self { is_nearby: true, radius_mm, ..self })
     }
 
-    /// The spec on what is selected; `seed` chooses random anchors. What is selected moves even if it is pinned, and points
-    /// of denser meshes cannot be held while landmarks move.
+    /// Spec for a selection; `seed` selects random anchors. Selected vertices move even if they are pinned. Pins that
+    /// do not exist at the selection's level are ignored.
     pub(crate) fn spec(&self, selection: Selection, pins: &[u32], seed: u64, document: &Document) -> EditSpec {
         let (level, handles) = (selection.level(), selection.handles());
         let partner = |vertex: u32| document.partner(level, vertex);
-        let can_mirror = partner(selection.middle()).is_some();
+        let can_mirror = partner(selection.centre()).is_some();
         let mirror = if can_mirror { self.mirror } else { Mirror::Off };
         let moves = |vertex: u32| {
             let partner = partner(vertex).filter(|_| mirror == Mirror::On);
             handles.contains(&vertex) || partner.is_some_and(|partner| handles.contains(&partner))
         };
         let is_there = |vertex: u32| document.vertex_count(level).is_some_and(|count| (vertex as usize) < count);
-        // Taken from between its neighbours, a point of the outline would be a spike: what is near it comes along.
+        // With a fixed outline, moving one of its points alone would leave a spike, so its surroundings move too.
         let takes_outline = self.is_nearby && handles.iter().any(|&handle| document.is_on_oval(level, handle));
         let kind = match self.anchors {
             AnchorChoice::Random => AnchorKind::Random { seed },
@@ -162,7 +162,7 @@ mod tests {
     use rosto_studio::{CoordinateFrame, Rest};
 
     #[test]
-    fn a_pin_gives_way_to_the_hand_that_takes_it() {
+    fn moving_a_pinned_vertex_releases_its_pin() {
         let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
         let document = Document::new(rest).unwrap();
         let pins_for = |handle: u32, mirror: Mirror| {
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn a_preset_is_known_by_its_choices_whatever_the_radius() {
+    fn presets_are_recognised_at_any_radius() {
         for preset in Preset::ALL {
             let choices = preset.choices(33.0);
             assert_eq!(choices.preset(), Some(preset));

@@ -4,51 +4,51 @@ use rosto_stage::{Axis, Camera};
 use crate::choices::SLIDER_MM;
 use crate::open_face::MM_PER_M;
 
-/// How much slower a fine drag is.
+/// Speed of a fine drag relative to a normal one.
 const FINE: f64 = 0.1;
 
-/// An axis that appears shorter than this share of its length is seen end-on.
+/// An axis is end-on if its projection is shorter than this share of its length.
 const END_ON: f64 = 0.2;
 
-/// How a landmark's offset follows the pointer.
+/// Ratio of a landmark's movement to the pointer's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pace {
-    /// As the pointer goes.
+    /// The same movement as the pointer's.
     Usual,
-    /// Ten times slower.
+    /// A tenth of the pointer's movement.
     Fine,
 }
 
-/// A landmark being dragged: where it started, and how far the pointer has gone since.
+/// A drag of a landmark: its start position and the pointer's movement since.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Drag {
     start_m: DVec3,
-    /// What the history holds for it, in mm.
-    kept_mm: DVec3,
+    /// Sum of the offsets in the history, in mm.
+    committed_mm: DVec3,
     pointer_px: DVec2,
     moved_px: DVec2,
 }
 
 impl Drag {
-    pub fn new(start_m: DVec3, kept_mm: DVec3, pointer_px: DVec2) -> Self {
-        Self { start_m, kept_mm, pointer_px, moved_px: DVec2::ZERO }
+    pub fn new(start_m: DVec3, committed_mm: DVec3, pointer_px: DVec2) -> Self {
+        Self { start_m, committed_mm, pointer_px, moved_px: DVec2::ZERO }
     }
 
-    /// An offset in mm as far as the sliders of what is dragged go, and whether that is less than all of it. What has gone
-    /// further before stays there.
+    /// Clamps an offset in mm to the sliders' range; the flag reports whether it was clamped. An offset that already
+    /// exceeds the range is retained.
     pub fn within_sliders(&self, offset_mm: DVec3) -> (DVec3, bool) {
-        let least_mm = self.kept_mm.min(DVec3::splat(SLIDER_MM.least));
-        let most_mm = self.kept_mm.max(DVec3::splat(SLIDER_MM.most));
-        let reached_mm = (self.kept_mm + offset_mm).clamp(least_mm, most_mm) - self.kept_mm;
+        let min_mm = self.committed_mm.min(DVec3::splat(SLIDER_MM.min));
+        let max_mm = self.committed_mm.max(DVec3::splat(SLIDER_MM.max));
+        let reached_mm = (self.committed_mm + offset_mm).clamp(min_mm, max_mm) - self.committed_mm;
         (reached_mm, reached_mm.distance(offset_mm) > 1e-9)
     }
 
-    /// How many mm so many px in the picture are where it started.
+    /// Length in mm of `px` pixels at the start position.
     pub fn mm_of_px(&self, camera: &Camera, px: f64) -> f64 {
         px * camera.m_per_px_at(self.start_m) * MM_PER_M
     }
 
-    /// The offset in metres after the pointer has gone to `pointer_px`: in the view plane, or along one axis.
+    /// Offset in metres for the pointer at `pointer_px`: in the view plane, or along one axis.
     pub fn offset_m(&mut self, camera: &Camera, pointer_px: DVec2, axis: Option<Axis>, pace: Pace) -> DVec3 {
         let step_px = pointer_px - self.pointer_px;
         self.pointer_px = pointer_px;
@@ -59,8 +59,8 @@ impl Drag {
         }
     }
 
-    /// The distance along an axis that takes the landmark nearest to the pointer. Along an axis seen end-on, up comes
-    /// nearer and down goes away.
+    /// Distance along an axis at which the landmark is nearest to the pointer. If the axis is end-on, moving the
+    /// pointer up brings the landmark nearer.
     fn distance_along_m(&self, camera: &Camera, axis: Axis) -> f64 {
         let step_m = 1e-3 * camera.radius_m();
         let ends = [-step_m, step_m].map(|step_m| camera.project(self.start_m + axis.direction() * step_m));
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn in_the_view_plane_the_landmark_stays_under_the_pointer() {
+    fn a_free_drag_keeps_the_landmark_under_the_pointer() {
         let camera = camera();
         let start = DVec3::new(0.01, 0.02, 0.05);
         let from = camera.project(start).unwrap();
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn along_an_axis_only_that_coordinate_changes() {
+    fn an_axis_drag_changes_one_coordinate() {
         let camera = camera();
         let mut drag = Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::splat(300.0));
         let offset = drag.offset_m(&camera, DVec2::new(340.0, 250.0), Some(Axis::X), Pace::Usual);
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn along_an_axis_seen_end_on_up_comes_nearer() {
+    fn dragging_up_along_an_end_on_axis_moves_nearer() {
         let mut camera = camera();
         camera.set_glide(Glide::Off);
         for (view, nearer) in [(NamedView::Front, DVec3::Z), (NamedView::Left, DVec3::X)] {
@@ -121,8 +121,8 @@ mod tests {
     }
 
     #[test]
-    fn a_drag_goes_as_far_as_the_sliders_and_says_so() {
-        let at = |kept_mm: DVec3| Drag::new(DVec3::ZERO, kept_mm, DVec2::ZERO);
+    fn a_drag_is_clamped_to_the_sliders_range() {
+        let at = |committed_mm: DVec3| Drag::new(DVec3::ZERO, committed_mm, DVec2::ZERO);
         let far = DVec3::new(50.0, -30.0, 0.0);
         assert_eq!(at(DVec3::ZERO).within_sliders(far), (DVec3::new(40.0, -30.0, 0.0), true));
         assert_eq!(at(DVec3::new(-20.0, 0.0, 0.0)).within_sliders(far), (far, false));
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fine_drag_goes_a_tenth_of_the_way() {
+    fn a_fine_drag_moves_a_tenth() {
         let camera = camera();
         let drag = || Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::ZERO);
         let go = |pace| drag().offset_m(&camera, DVec2::new(100.0, 0.0), None, pace);

@@ -4,94 +4,94 @@ use rosto_studio::StudioError;
 use rosto_studio::project::ProjectError;
 use thiserror::Error;
 
-/// Why an intent cannot be carried out. The session is as it was before.
+/// Why an intent is refused. The session is unchanged.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SessionError {
-    /// Only an open face has what is asked for.
+    /// The intent needs an open face.
     #[error("no face is open")]
     NoFace,
-    /// Nothing is selected that could be moved, pinned or reset.
+    /// The intent needs a selection.
     #[error("nothing is selected")]
     NothingSelected,
-    /// There is no such vertex, or no such landmark where landmarks are selected.
-    #[error("there is no point {vertex}: there are {count}, counted from 0")]
+    /// No such vertex, or no such landmark if landmarks are selected.
+    #[error("there is no point {vertex}; this face has {count}, counted from 0")]
     NoSuchVertex {
-        /// The vertex asked for.
+        /// The requested vertex.
         vertex: u32,
-        /// How many there are.
+        /// Number of vertices.
         count: usize,
     },
-    /// There is no such photo of the face.
-    #[error("there is no photo {photo}: there are {count}, counted from 0")]
+    /// No such photo of the face.
+    #[error("there is no photo {photo}; this face has {count}, counted from 0")]
     NoSuchPhoto {
-        /// The photo asked for.
+        /// The requested photo.
         photo: usize,
-        /// How many there are.
+        /// Number of photos.
         count: usize,
     },
-    /// A number is beyond what it may be, or not one.
-    #[error("{what} must lie between {least} and {most}, not at {value}")]
+    /// A number is out of range or NaN.
+    #[error("{what} must be between {min} and {max}, but it is {value}")]
     OutOfRange {
-        /// What the number is, with its unit.
+        /// Meaning of the number, with its unit.
         what: &'static str,
-        /// The number given.
+        /// The given number.
         value: f64,
-        /// The least it may be.
-        least: f64,
-        /// The most it may be.
-        most: f64,
+        /// Lower end of the range.
+        min: f64,
+        /// Upper end of the range.
+        max: f64,
     },
-    /// A history is longer than any that is opened.
-    #[error("the history has {found} entries; up to {most} can be opened")]
+    /// A history exceeds the maximum length.
+    #[error("the history has {found} entries; the maximum is {max}")]
     TooManyEntries {
-        /// How many it has.
+        /// Number of entries.
         found: usize,
-        /// How many it may have.
-        most: usize,
+        /// Maximum number of entries.
+        max: usize,
     },
-    /// An entry of a history moves something further than anything is moved.
-    #[error("entry {entry} of the history moves something by {distance_m} m; the limit is {most_m} m")]
+    /// An entry of a history exceeds the maximum offset.
+    #[error("entry {entry} of the history moves a vertex by {distance_m} m; the maximum is {most_m} m")]
     BadHistory {
-        /// Which entry, from 0.
+        /// The entry, from 0.
         entry: usize,
-        /// How far it moves it, in metres.
+        /// Length of its offset, in metres.
         distance_m: f64,
-        /// How far it may, in metres.
+        /// Maximum length, in metres.
         most_m: f64,
     },
-    /// The text does not hold what was done to a photo alone.
-    #[error("what was done to the photo has no usable {field:?}")]
-    InPhoto {
-        /// What is missing or not understood.
+    /// The text is not valid photo-edit data.
+    #[error("the photo-edit data has a missing or invalid {field:?}")]
+    PhotoEdit {
+        /// The missing or invalid field.
         field: &'static str,
     },
-    /// The text does not hold preferences.
-    #[error("the preferences have no usable {field:?}")]
+    /// The text is not a valid set of preferences.
+    #[error("the preferences have a missing or invalid {field:?}")]
     Preferences {
-        /// What is missing or not understood.
+        /// The missing or invalid field.
         field: &'static str,
     },
-    /// The landmarks make no face.
+    /// The landmarks do not form a face.
     #[error(transparent)]
     Face(#[from] FaceError),
-    /// The edits are no history.
+    /// The edits are not a valid history.
     #[error(transparent)]
     Project(#[from] ProjectError),
-    /// The edit has no answer.
+    /// The edit has no solution.
     #[error(transparent)]
     Studio(#[from] StudioError),
-    /// The file cannot be made.
+    /// The file cannot be written.
     #[error(transparent)]
     Export(#[from] ExportError),
 }
 
-/// Refuses a number that is not within its range, or is none.
-pub(crate) fn within(what: &'static str, value: f64, least: f64, most: f64) -> Result<f64, SessionError> {
-    if value >= least && value <= most { Ok(value) } else { Err(SessionError::OutOfRange { what, value, least, most }) }
+/// Checks that a number is within its range; rejects NaN.
+pub(crate) fn within(what: &'static str, value: f64, min: f64, max: f64) -> Result<f64, SessionError> {
+    if value >= min && value <= max { Ok(value) } else { Err(SessionError::OutOfRange { what, value, min, max }) }
 }
 
-/// A factor within reason: however far a wheel is turned, it is turned. Refuses what is no number.
+/// Clamps a factor to a usable range; rejects NaN.
 pub(crate) fn bounded_factor(factor: f64) -> Result<f64, SessionError> {
     within("the factor", factor, f64::NEG_INFINITY, f64::INFINITY).map(|factor| factor.clamp(1e-3, 1e3))
 }

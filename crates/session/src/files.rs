@@ -9,54 +9,55 @@ use crate::error::SessionError;
 use crate::{OpenFace, Session};
 
 rosto_mesh::named! {
-    /// How edits are in a GLB.
+    /// Representation of edits in a GLB.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum EditsAs {
-        /// As the shape that they lead to.
+        /// As part of the shape.
         Shape = "shape",
-        /// As a morph target each, beside the unedited face.
+        /// As one morph target each, on the unedited face.
         MorphTargets = "morph-targets",
     }
 }
 
 rosto_mesh::named! {
-    /// How expressions are in a GLB.
+    /// Representation of expressions in a GLB.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum ExpressionsAs {
-        /// As the shape that they lead to.
+        /// As part of the shape.
         Shape = "shape",
-        /// As a morph target each, all that there are, at the weights that they stand at; eyes and mouth are pieces of their own.
+        /// As one morph target for each available expression, at its current weight; eyes and mouth are separate
+        /// pieces.
         MorphTargets = "morph-targets",
     }
 }
 
-/// The formats that are for printing: a body is made of the face for them.
+/// The formats for 3D printing, which contain a closed body.
 pub fn printed_formats() -> impl Iterator<Item = Format> {
     Format::ALL.into_iter().filter(|format| format.supports(ExportOption::Solid))
 }
 
-/// The formats that a panel offers by a button each: those with choices that are no other's have a place of their own.
+/// The formats without format-specific options, which panels offer as plain buttons.
 pub fn plain_formats() -> impl Iterator<Item = Format> {
     let own = [ExportOption::Material, ExportOption::Units, ExportOption::Solid];
     Format::ALL.into_iter().filter(move |format| !own.iter().any(|&choice| format.supports(choice)))
 }
 
-/// What is chosen about a file; each format takes what it has a place for.
+/// Options of an exported file; each format uses those that it supports.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FileOptions {
-    /// What paints the face.
+    /// Source of the face's colour.
     pub base_colour: BaseColour,
-    /// Whether light falls on it.
+    /// Whether the face is lit.
     pub material: Material,
-    /// How it carries the edits.
+    /// Representation of edits.
     pub edits: EditsAs,
-    /// How it carries expressions.
+    /// Representation of expressions.
     pub expressions: ExpressionsAs,
-    /// What fills eyes and mouth; where expressions are morph targets, they are pieces.
+    /// Filling of eyes and mouth; separate pieces if expressions are morph targets.
     pub eyes: Eyes,
-    /// The unit of JSON's positions.
+    /// Unit of the positions in JSON.
     pub units: Units,
-    /// The body that is printed.
+    /// Body for printing.
     pub solid: Solid,
 }
 
@@ -75,24 +76,24 @@ impl Default for FileOptions {
 }
 
 impl FileOptions {
-    /// Whether a format's files have each expression as a morph target.
+    /// Whether a format's files contain expressions as morph targets.
     fn are_expressions_moved(&self, format: Format) -> bool {
         format.supports(ExportOption::Material) && self.expressions == ExpressionsAs::MorphTargets
     }
 
-    /// Whether a format's files have eyes and mouth in pieces of their own, though they move none.
+    /// Whether a format's files contain eyes and mouth as separate pieces.
     fn are_eyes_pieces(&self, format: Format) -> bool {
         format.supports(ExportOption::Eyes) && self.eyes == Eyes::Pieces
     }
 }
 
-/// What files are called that lie beside another one, and that one in a bundle with them.
+/// Base name of companion files, and of the main file in a bundle.
 const NAME: &str = "face";
 
-/// What leaves the session.
+/// File export.
 impl Session {
-    /// The face as a file, at the density that is shown, with what lies beside it; a glTF with what opens it again in the
-    /// scene's extras. Only morph targets ask for a solve.
+    /// Exports the face at the displayed density, with its companion files. A glTF stores the project in the scene's
+    /// extras. Only expressions as morph targets need a solve.
     ///
     /// # Errors
     /// [`SessionError::NoFace`] or [`SessionError::Export`].
@@ -105,7 +106,7 @@ impl Session {
             _ => Vec::new(),
         };
         let face = self.open_face()?;
-        let (document, json, in_photo) = (face.document(), face.history_json(), face.in_photo_json());
+        let (document, json, in_photo) = (face.document(), face.history_json(), face.photo_edit_json());
         let entries = document.history().entries();
         let named = entries.iter().zip(&layers);
         let morphs: Vec<Morph<'_>> =
@@ -118,16 +119,16 @@ impl Session {
         })?)
     }
 
-    /// The same as one file: where others lie beside it, an archive of them all, whose name ends as
-    /// [`Format::bundle_extension`] tells.
+    /// Exports the face as one file: an archive if there are companion files. [`Format::bundle_extension`] returns the
+    /// extension.
     ///
     /// # Errors
-    /// As [`Self::file`].
+    /// See [`Self::file`].
     pub fn bundled_file(&mut self, format: Format, options: &FileOptions) -> Result<Vec<u8>, SessionError> {
         Ok(self.file(format, options)?.bundled(NAME, format))
     }
 
-    /// How many vertices and triangles the mesh in a file has, before it is written.
+    /// Numbers of vertices and triangles that an exported mesh will have.
     ///
     /// # Errors
     /// [`SessionError::NoFace`].
@@ -140,16 +141,16 @@ impl Session {
         })
     }
 
-    /// What the body measures that a printer would be given; none of the surface alone.
+    /// Measures of the body for printing; `None` if only the surface is exported.
     ///
     /// # Errors
-    /// [`SessionError::NoFace`], or [`SessionError::Export`] if there can be no such body.
+    /// [`SessionError::NoFace`], or [`SessionError::Export`] if the body cannot be built.
     pub fn solid_facts(&self, solid: Solid) -> Result<Option<SolidFacts>, SessionError> {
         let body = self.open_face()?.as_model(|model| solid.body(&model))?;
         Ok(body.as_ref().map(SolidFacts::of))
     }
 
-    /// The face in its pieces, for a file that has them.
+    /// The face in pieces, if the format and options need it.
     fn rig_for(&mut self, format: Format, options: &FileOptions) -> Result<Option<Rig>, SessionError> {
         let is_gltf = format.supports(ExportOption::Material);
         let edits = match options.edits {
@@ -168,7 +169,7 @@ impl Session {
 
     fn rigged(&self, rig: &Rig, format: Format, options: &FileOptions) -> Result<ExportedFile, SessionError> {
         let face = self.open_face()?;
-        let (json, in_photo) = (face.history_json(), face.in_photo_json());
+        let (json, in_photo) = (face.history_json(), face.photo_edit_json());
         let layers = rig.layers().iter();
         let morphs: Vec<Morph<'_>> = layers
             .map(|Layer { name, displacements_m, weight }| Morph { name, displacements_m, weight: *weight })
@@ -198,13 +199,13 @@ impl Session {
         }
     }
 
-    /// The face and its work as a project file; `png` is its whole upright picture.
+    /// Writes the face and its edits as a project file; `png` is the whole upright picture.
     ///
     /// # Errors
     /// [`SessionError::NoFace`] or [`SessionError::Export`].
     pub fn project(&self, png: &[u8]) -> Result<Vec<u8>, SessionError> {
         let face = self.open_face()?;
-        let in_photo = face.in_photo_json();
+        let in_photo = face.photo_edit_json();
         let source = Source {
             face: face.model(),
             triangulation: face.triangulation(),
@@ -217,7 +218,7 @@ impl Session {
 }
 
 impl OpenFace {
-    /// What the file opens again with: the history as JSON, and what was done to the photo alone.
+    /// The data from which a file can be reopened: the history and the photo-edit data, both as JSON.
     fn source<'a>(&'a self, history: &'a str, in_photo: Option<&'a str>) -> Source<'a> {
         let is_edited = !self.document().history().entries().is_empty();
         Source {
@@ -229,7 +230,7 @@ impl OpenFace {
         }
     }
 
-    /// Does something with the face as exporters take it.
+    /// Calls `then` with the face in the form that exporters take.
     fn as_model<T>(&self, then: impl FnOnce(Model<'_>) -> T) -> T {
         let (uvs, texture_uvs) = (self.uvs(), self.texture_uvs());
         let smoothed_m = self.document().rounded();

@@ -5,72 +5,78 @@ use crate::drag::{Drag, Pace};
 use crate::open_face::OpenFace;
 use crate::{Selection, SelectionMode};
 
-/// What is selected is taken from this near, in CSS px, even where something else lies nearer.
-fn reach_px(pointer: Pointer) -> f64 {
+/// Radius in CSS px within which the selected vertex takes precedence over a nearer one.
+fn grab_radius_px(pointer: Pointer) -> f64 {
     match pointer {
         Pointer::Fine => 9.0,
         Pointer::Coarse => 28.0,
     }
 }
 
-/// What the pressed pointer does.
+/// Action of the pressed pointer.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) enum Gesture {
-    /// Nothing that concerns the session.
+    /// None in the session.
     #[default]
     Idle,
-    /// It has grabbed a vertex, alone or with its region, and has not moved yet.
-    Ready { vertex: u32, axis: Option<Axis>, from_px: DVec2 },
-    /// It drags what is selected; at the end of the sliders it goes no further.
+    /// It is pressed on a vertex, selected alone or with its region, and has not moved yet.
+    Pressed { vertex: u32, axis: Option<Axis>, from_px: DVec2 },
+    /// It drags the selection, which stops at the end of the sliders' range.
     Dragging { drag: Drag, axis: Option<Axis>, to_px: DVec2, pace: Pace, is_at_end: bool },
-    /// It paints what of the photo is kept.
+    /// It paints a stroke that protects the photo.
     Painting,
-    /// What it dragged was put back, and the rest of the press does nothing.
-    Over,
+    /// The drag was cancelled; the pointer is still pressed.
+    Cancelled,
 }
 
-/// What lies under the pointer.
+/// The vertex and gizmo axis under the pointer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Under {
-    /// The vertex nearest to where it meets the face, or the one in whose ring or on whose arm it is. It lights up, alone or
-    /// with its region, and is what a press takes.
+pub struct Hovered {
+    /// The vertex nearest to the point at which the pointer meets the face, or the selected one if the pointer is on
+    /// its ring or gizmo. It is highlighted, alone or with its region, and a press grabs it.
     pub vertex: Option<u32>,
-    /// The arm of the gizmo that it is on.
+    /// The gizmo axis under the pointer.
     pub axis: Option<Axis>,
 }
 
-/// What lies under a place on the canvas.
-pub(crate) fn under(face: &OpenFace, stage: &Stage, mode: SelectionMode, place_px: DVec2, pointer: Pointer) -> Under {
-    let axis = stage.pick_axis(place_px, face.document().positions(), pointer);
+/// Finds the vertex and gizmo axis at a position on the canvas.
+pub(crate) fn hit_test(
+    face: &OpenFace,
+    stage: &Stage,
+    mode: SelectionMode,
+    position_px: DVec2,
+    pointer: Pointer,
+) -> Hovered {
+    let axis = stage.pick_axis(position_px, face.document().positions(), pointer);
     if axis.is_some() {
-        return Under { vertex: face.selected(), axis };
+        return Hovered { vertex: face.selected(), axis };
     }
-    let picked = face.pick(&stage.camera().ray(place_px), mode);
-    let vertex = picked.map(|vertex| selected_beside(face, stage, vertex, place_px, pointer).unwrap_or(vertex));
-    Under { vertex, axis }
+    let picked = face.pick(&stage.camera().ray(position_px), mode);
+    let vertex = picked.map(|vertex| selected_nearby(face, stage, vertex, position_px, pointer).unwrap_or(vertex));
+    Hovered { vertex, axis }
 }
 
-/// What a press takes hold of: what lights up under the pointer. One beside the face takes nothing, and turns it.
-pub(crate) fn pressed(under: Under, place_px: DVec2) -> Gesture {
-    match under.vertex {
-        Some(vertex) => Gesture::Ready { vertex, axis: under.axis, from_px: place_px },
+/// The gesture that a press starts: grabbing the highlighted vertex, or none outside the face.
+pub(crate) fn pressed(hovered: Hovered, position_px: DVec2) -> Gesture {
+    match hovered.vertex {
+        Some(vertex) => Gesture::Pressed { vertex, axis: hovered.axis, from_px: position_px },
         None => Gesture::Idle,
     }
 }
 
-/// What is selected, if a place on the canvas where the mesh shows `vertex` is within its ring: on a dense mesh its
-/// neighbours are there, too, and a finger is not exact.
-fn selected_beside(face: &OpenFace, stage: &Stage, vertex: u32, place_px: DVec2, pointer: Pointer) -> Option<u32> {
-    let held = match face.selection()? {
+/// The selected vertex, if the position is within its ring. On a dense mesh its neighbours are within the ring too, and
+/// touch is inexact.
+fn selected_nearby(face: &OpenFace, stage: &Stage, vertex: u32, position_px: DVec2, pointer: Pointer) -> Option<u32> {
+    let selected = match face.selection()? {
         Selection::Region(_) => return None,
-        Selection::Landmark(held) | Selection::Point { vertex: held, .. } => held,
+        Selection::Landmark(selected) | Selection::Point { vertex: selected, .. } => selected,
     };
     let committed = face.document().committed();
-    let [held_m, vertex_m] = [held, vertex].map(|v| committed.get(v as usize).copied());
-    let (held_m, vertex_m, camera) = (held_m?, vertex_m?, stage.camera());
-    let reach_px = reach_px(pointer) * stage.pixel_ratio();
-    let is_near = camera.project(held_m)?.distance(place_px) <= reach_px;
-    // On the other side of the face, it would only seem to be near.
-    let is_beside = held_m.distance(vertex_m) <= 2.0 * reach_px * camera.m_per_px_at(held_m);
-    (is_near && is_beside).then_some(held)
+    let [selected_m, vertex_m] = [selected, vertex].map(|v| committed.get(v as usize).copied());
+    let (selected_m, vertex_m, camera) = (selected_m?, vertex_m?, stage.camera());
+    let grab_radius_px = grab_radius_px(pointer) * stage.pixel_ratio();
+    let is_near = camera.project(selected_m)?.distance(position_px) <= grab_radius_px;
+    // Excludes vertices that project nearby but lie on the other side of the face.
+    let is_adjacent = selected_m.distance(vertex_m) <= 2.0 * grab_radius_px * camera.m_per_px_at(selected_m);
+    (is_near && is_adjacent).then_some(selected)
 }

@@ -6,56 +6,56 @@ use crate::further_photo::FurtherPhoto;
 use crate::open_face::{MAX_OFFSET_M, OpenFace};
 use crate::strokes;
 
-/// How often a mesh is subdivided at most on the screen: [`MAX_DENSITY`] is for files.
-pub const DENSEST_SHOWN: u32 = 3;
+/// Highest density on the screen; files can have up to [`MAX_DENSITY`].
+pub const MAX_SHOWN_DENSITY: u32 = 3;
 
-/// A history has no more entries than this.
-pub const MOST_ENTRIES: usize = 100_000;
+/// Maximum length of a history.
+pub const MAX_ENTRIES: usize = 100_000;
 
-/// Everything that opens a face: what was found in a photo and, of earlier work, what was done since.
+/// Data from which a face opens: what was detected in a photo and, for earlier work, the edits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Incoming {
     /// MediaPipe's normalised landmarks: 468, or 478 with the irises.
     pub landmarks: Vec<[f32; 3]>,
-    /// Width and height in px of the upright photo that they were found in.
+    /// Width and height in px of the upright photo in which the landmarks were found.
     pub photo_size_px: [u32; 2],
-    /// The colour under each landmark, sRGB: 468.
+    /// Colour at each landmark, sRGB: 468.
     pub colours_srgb: Vec<[u8; 3]>,
-    /// The upright picture, perhaps scaled down.
+    /// The upright picture; it can be scaled down.
     pub picture: Photo,
     /// Lens data of the photo.
     pub lens: PhotoLens,
-    /// Further photos of the same face, in the order that they were given in after this one; none of most faces.
+    /// Further photos of the same face, in the order in which they were added; usually none.
     pub further: Vec<FurtherPhoto>,
-    /// What was done to the face before; nothing for one that was just found.
+    /// Earlier edits; `None` for a newly detected face.
     pub work: Option<Work>,
 }
 
-/// What was done to a face.
+/// Edits of a face.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Work {
-    /// How the landmarks are joined.
+    /// Triangulation of the landmarks.
     pub triangulation: Triangulation,
-    /// How often the mesh was subdivided; a denser one than is shown opens as the densest that is.
+    /// Density of the mesh; clamped to the highest displayed density.
     pub density: u32,
     /// The edits as versioned JSON.
     pub history: String,
-    /// Data of the photo alone ([`OpenFace::photo_json`]); none where nothing was done to it.
+    /// Photo-edit data ([`OpenFace::photo_json`]); `None` without photo edits.
     pub photo: Option<String>,
 }
 
 impl Work {
     fn entries(&self) -> Result<Vec<Entry>, SessionError> {
         let entries = project::from_json(&self.history)?;
-        if entries.len() > MOST_ENTRIES {
-            return Err(SessionError::TooManyEntries { found: entries.len(), most: MOST_ENTRIES });
+        if entries.len() > MAX_ENTRIES {
+            return Err(SessionError::TooManyEntries { found: entries.len(), max: MAX_ENTRIES });
         }
         entries.iter().map(|entry| entry.command.amount()).enumerate().try_for_each(check_amount)?;
         Ok(entries)
     }
 }
 
-/// Refuses what no hand can have done and no screen can show.
+/// Rejects offsets beyond the maximum.
 fn check_amount((entry, amount): (usize, Amount)) -> Result<(), SessionError> {
     match amount {
         Amount::Distance(distance_m) if !distance_m.is_finite() || distance_m.abs() > MAX_OFFSET_M => {
@@ -65,15 +65,14 @@ fn check_amount((entry, amount): (usize, Amount)) -> Result<(), SessionError> {
     }
 }
 
-/// The face with its work done to it, or why it cannot be opened. `triangulation` and `density` are for a face that brings
-/// none of its own.
-pub(crate) fn opened(incoming: Incoming, usual: (Triangulation, u32)) -> Result<OpenFace, SessionError> {
+/// Builds the face and applies its edits. `defaults` holds the triangulation and density of a face without earlier edits.
+pub(crate) fn opened(incoming: Incoming, defaults: (Triangulation, u32)) -> Result<OpenFace, SessionError> {
     let (triangulation, density, entries) = match &incoming.work {
         Some(work) => {
             within("the density", work.density.into(), 0.0, MAX_DENSITY.into())?;
-            (work.triangulation, work.density.min(DENSEST_SHOWN), work.entries()?)
+            (work.triangulation, work.density.min(MAX_SHOWN_DENSITY), work.entries()?)
         }
-        None => (usual.0, usual.1, Vec::new()),
+        None => (defaults.0, defaults.1, Vec::new()),
     };
     let photo = incoming.work.as_ref().and_then(|work| work.photo.as_deref());
     let photo = photo.map(strokes::read).transpose()?;

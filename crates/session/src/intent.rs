@@ -9,163 +9,164 @@ use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Oper
 use crate::drag::Pace;
 use crate::{AnchorChoice, FurtherPhoto, Incoming, Motion, Preset, Selection, SelectionMode, TextureSource, Turntable};
 
-/// Everything that a visitor can want. Places are device pixels from the canvas' top left.
+/// A user action. Positions are in device pixels from the top left of the canvas.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Intent {
-    /// Opens a face in place of the one that is open.
+    /// Opens a face in place of the current one.
     Open(Box<Incoming>),
-    /// Shows the empty state: the average face as a slowly turning wireframe.
+    /// Shows the empty state: the average face as a slowly rotating wireframe.
     Close,
-    /// Puts choices and view as an earlier [`Session::preferences`](crate::Session::preferences) tells.
-    Prefer(String),
+    /// Restores settings and view from [`Session::preferences`](crate::Session::preferences).
+    RestorePreferences(String),
 
-    /// What a click or a drag selects from now on. What is selected follows: the region around the landmark, the landmark
-    /// in the middle of the region, or the point at its place.
+    /// Sets what a click or a drag selects. The selection is converted: to the region around the landmark, the central
+    /// landmark of the region, or the point at its position.
     Mode(SelectionMode),
-    /// Selects something, or nothing. Random anchors are drawn anew.
+    /// Sets the selection. Random anchors are drawn again.
     Select(Option<Selection>),
-    /// Selects what is at a vertex: it alone, or the smallest region around it and, asked again, the next larger one.
+    /// Selects the vertex, or the smallest region around it; repeating selects the next larger region.
     SelectAt(u32),
-    /// Selects what is at a place, or nothing where there is no face.
+    /// Selects what is at a position; clears the selection outside the face.
     SelectUnder(DVec2),
-    /// Pins what is selected, so that it stays while others move, or frees it.
+    /// Pins or unpins the selection. Pins stay in place while other vertices move.
     Pin(Switch),
-    /// Pins the vertex at a place, or frees it; nothing where there is no face.
+    /// Pins or unpins the vertex at a position; no-op outside the face.
     PinUnder(DVec2),
 
-    /// Makes all choices of a preset, and shows the mesh that it is for.
+    /// Applies a preset and shows the mesh density for it.
     Preset(Preset),
-    /// How the surface's details are described.
+    /// Sets the operator of the δ-coordinates.
     Operator(Operator),
-    /// How firmly handles and anchors are held.
+    /// Sets how firmly handles and anchors are held.
     Constraint(ConstraintKind),
-    /// Whether details turn with the surface.
+    /// Sets whether details rotate with the surface.
     Details(Details),
-    /// Which vertices stay beside those pinned by hand.
+    /// Sets the anchors in addition to the pins.
     Anchors(AnchorChoice),
-    /// Whether the other side of the face follows.
+    /// Sets whether edits are mirrored to the other side.
     Mirror(Mirror),
-    /// Whether an edit reaches no further than the radius.
+    /// Sets whether edits are limited to the influence radius.
     Nearby(Switch),
-    /// How far an edit reaches, in mm; it then reaches no further. A drag goes on.
+    /// Sets the influence radius in mm and limits edits to it. A drag continues.
     Radius(f64),
-    /// Makes that so many times as far, within its limits.
+    /// Scales the influence radius by a factor, within its range.
     Widen(f64),
 
-    /// One tick of the sliders of what is selected: its offset in mm from where the last commit left it.
+    /// Tick of the selection's sliders: offset in mm from the last commit.
     Preview(DVec3),
-    /// One tick of a ready-made slider: where it is to stand in mm, its earlier entries counted.
+    /// Tick of a ready-made slider: its value in mm, including earlier entries.
     Slide(FaceSlider, f64),
-    /// One tick of an expression: how much of it the face is to show, 0..=1, its earlier entries counted. With the mirror, its
-    /// partner of the other side shows as much.
+    /// Tick of an expression: its weight, 0..=1, including earlier entries. With the mirror, its partner on the other
+    /// side gets the same weight.
     Express(Expression, f64),
-    /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.
+    /// Commits the edit in progress as one entry of the history; no entry if nothing moved.
     Commit,
-    /// Drops the edit in progress. A drag is over, even if the pointer stays pressed.
+    /// Discards the edit in progress. Ends a drag even if the pointer stays pressed.
     Cancel,
 
-    /// The pointer is at a place, or has left.
+    /// Pointer movement without a press; `None` when it leaves the canvas.
     Hover(Option<DVec2>),
-    /// A landmark is pointed at elsewhere, such as on the photo.
+    /// Highlights a landmark that is hovered elsewhere, such as on the photo.
     PointAt(Option<u32>),
-    /// The pointer is pressed: what lies under it may be dragged.
+    /// Pointer press; the vertex under it can be dragged.
     Press(DVec2, Pointer),
-    /// The pressed pointer goes to a place, and what it has grabbed follows.
+    /// Movement of the pressed pointer; the grabbed vertex follows.
     Drag(DVec2, Pace),
-    /// What is dragged follows along one axis only; the same axis again frees it.
+    /// Constrains the drag to one axis; the same axis again removes the constraint.
     Along(Axis),
-    /// The pointer is let go: what was dragged is kept.
+    /// Pointer release; commits the drag.
     Release,
 
-    /// Takes the last change of the history back. An edit in progress is kept first, and is what is taken back.
+    /// Undoes the last change of the history. An edit in progress is committed first and then undone.
     Undo,
-    /// Brings the last undone change back.
+    /// Redoes the last undone change.
     Redo,
-    /// Takes all entries away, as one change.
+    /// Removes all entries, as one change.
     Reset,
-    /// Switches every entry off that moved what is selected, as one change.
+    /// Switches off each entry that moved the selection, as one change.
     ResetSelected,
-    /// Switches every expression off, as one change: the face is at rest.
-    ComeToRest,
-    /// Lets an entry of the history take part in the shape, or not.
+    /// Switches off each expression, as one change.
+    ResetExpressions,
+    /// Switches an entry of the history on or off.
     Switch(usize, Switch),
-    /// Brings the two sides of the face closer to each other: a share of 1 leaves mirror images.
+    /// Moves both sides towards symmetry; a share of 1 makes them mirror images.
     Symmetrise(f64),
 
-    /// How often the mesh that is shown and exported is subdivided: 0 is the 468 landmarks.
+    /// Sets the density of the displayed and exported mesh; 0 is the 468 landmarks.
     Density(u32),
-    /// Through which lens the photo was taken, and so from how far away; the model is taken out of it anew, and the edits are
-    /// carried out again.
+    /// Sets the lens of the photo, and so its distance; rebuilds the model and reapplies the edits.
     PhotoLens(PhotoLens),
-    /// A further photo of the same face: the model is made of all of them, and the edits are carried out again.
+    /// Adds a photo of the same face; rebuilds the model from all of them and reapplies the edits.
     AddPhoto(Box<FurtherPhoto>),
-    /// Takes one of them away again, by its place in the order that they were given in.
+    /// Removes a photo, by its index in the order in which they were added.
     RemovePhoto(usize),
-    /// How the landmarks are joined; the edits are carried out again. Points that were pinned are free again.
+    /// Sets the triangulation and reapplies the edits. Pinned points other than landmarks are unpinned.
     Triangulation(Triangulation),
 
-    /// Puts the photo on the stage, or the face in the round. Who turns the photo turns the face out of it.
+    /// Shows the photo or the 3D face. Orbiting the photo switches to the 3D face.
     Scene(Scene),
-    /// How far around the face its photo gives way, as a share of the face's longer side within `rosto_studio::FALLOFF_BAND_SHARES`.
+    /// Sets the falloff band around the face, as a share of the face's longer side within
+    /// `rosto_studio::FALLOFF_BAND_SHARES`.
     FalloffBand(f64),
-    /// Shows the face in its photo as a camera sees it from so many metres; none as it was taken.
+    /// Shows the face in its photo as from a distance in metres; `None` is the original distance.
     SeenFrom(Option<f64>),
-    /// Takes a brush of that radius in CSS px in hand, or none: pressed on the photo, which comes onto the stage, it paints
-    /// what is kept as it is. Undo and redo are for its strokes then.
+    /// Sets the brush, by its radius in CSS px, or removes it. The brush shows the photo and paints the parts to
+    /// protect. Undo and redo then act on its strokes.
     Brush(Option<f64>),
-    /// Takes all strokes away.
-    KeepNothing,
-    /// Turns the face to where an edit in depth is seen, out of the photo if need be.
+    /// Removes all strokes.
+    ClearStrokes,
+    /// Rotates the view so that edits in depth are visible; leaves the photo if necessary.
     ShowDepth,
 
-    /// How the surface is coloured.
+    /// Sets the colouring of the surface.
     Shading(ShadingMode),
-    /// Which picture is laid on it.
+    /// Sets the source of the texture.
     TextureSource(TextureSource),
-    /// How large its texture is to be.
+    /// Sets the size of the texture.
     TextureSize(TextureSize),
-    /// Whether edges are drawn over it.
+    /// Shows or hides the edges.
     Wireframe(Visibility),
-    /// Which landmarks show as dots.
+    /// Sets which landmarks are shown as dots.
     Dots(Dots),
-    /// What lies behind the face.
+    /// Sets the background.
     Background(Background),
-    /// The light.
+    /// Sets the light.
     Light(Light),
-    /// Whether the light falls on the photo, too, which has its own.
+    /// Sets whether the light also affects the photo, which contains its own lighting.
     PictureLight(PictureLight),
-    /// Whether the vertices that stay in place are marked.
+    /// Shows or hides markers at the anchors.
     MarkAnchors(Switch),
-    /// Light or dark surroundings.
+    /// Sets the light or dark theme.
     Theme(Theme),
-    /// 0 shows the face as edited, 1 as it was found.
+    /// Blends the edited face (0) with the original (1).
     Before(f64),
-    /// The face as it was found up to this share of the canvas' width, 0..1 from the left, and as edited beyond; none ends it.
+    /// Shows the original face left of this share of the canvas' width, 0..=1, and the edited one right of it; `None`
+    /// ends the comparison.
     Wipe(Option<f64>),
-    /// Whether the face turns by itself.
+    /// Turns auto-rotation on or off.
     Turntable(Turntable),
-    /// Whether things move by themselves.
+    /// Sets whether animations run.
     Motion(Motion),
-    /// From how far away the face is seen; as its photo was taken, it goes to where the photo's camera stood.
+    /// Sets the lens of the view; the photo's own lens also moves the view to the photo's camera.
     Lens(Lens),
-    /// Turns the face as if the pointer held it, by so many px.
+    /// Orbits the view by a pointer movement in px.
     Orbit(DVec2),
-    /// Moves the face with the pointer, by so many px.
+    /// Pans the view by a pointer movement in px.
     Pan(DVec2),
-    /// Shows the face larger by a factor above 1, smaller by one below.
+    /// Zooms by a factor; above 1 enlarges.
     Zoom(f64),
     /// Goes to a named view.
     GoTo(NamedView),
-    /// The canvas has another size in px, and so many px make a CSS px.
+    /// Resizes the canvas to a width and height in px, at a device-pixel ratio.
     Resize([u32; 2], f64),
-    /// So many px at the canvas' top, right, bottom and left lie under something else: the face is framed in the rest.
+    /// Sets the viewport insets in px: top, right, bottom, left. The face is framed in the remaining area.
     ViewportInsets([f64; 4]),
 }
 
 impl Intent {
-    /// Whether it takes the face in hand, so that it is not to turn by itself any more as it does when it has arrived.
-    pub(crate) fn takes_in_hand(&self) -> bool {
+    /// Whether the intent ends the idle rotation that follows the opening of a face.
+    pub(crate) fn ends_idle_rotation(&self) -> bool {
         matches!(
             self,
             Self::Press(..)

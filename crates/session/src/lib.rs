@@ -1,8 +1,8 @@
-//! A visitor's session: what is open, chosen, selected and seen, and everything that can be done with it.
+//! A user's session: what is open, set, selected and displayed, and the actions on it.
 //!
-//! A [`Session`] is plain data and knows no browser and no GPU. Whatever a visitor can want is an [`Intent`];
-//! [`Session::apply`] carries it out whole or not at all, and tells what has [`Changed`]. Who shows it reads [`State`] then,
-//! [`Tick`] while an edit is in progress, and the [`Stage`](rosto_stage::Stage) for what is seen.
+//! A [`Session`] is plain data, independent of browser and GPU. Each user action is an [`Intent`]. [`Session::apply`]
+//! applies an intent completely or not at all and returns what [`Changed`]. The caller then reads [`State`], [`Tick`]
+//! during an edit, and the [`Stage`](rosto_stage::Stage) for the view.
 
 mod changed;
 mod choice;
@@ -11,7 +11,7 @@ mod drag;
 mod error;
 #[cfg(test)]
 #[path = "../tests/properties/faces.rs"]
-#[allow(dead_code, reason = "the visitors use the others")]
+#[allow(dead_code, reason = "the property tests use the other items")]
 mod faces;
 mod files;
 mod further_photo;
@@ -43,8 +43,8 @@ pub use drag::Pace;
 pub use error::SessionError;
 pub use files::{EditsAs, ExpressionsAs, FileOptions, plain_formats, printed_formats};
 pub use further_photo::FurtherPhoto;
-pub use gesture::Under;
-pub use incoming::{DENSEST_SHOWN, Incoming, MOST_ENTRIES, Work};
+pub use gesture::Hovered;
+pub use incoming::{Incoming, MAX_ENTRIES, MAX_SHOWN_DENSITY, Work};
 pub use intent::Intent;
 pub use live_preview::LivePreview;
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
@@ -56,7 +56,7 @@ pub use strokes::Strokes;
 pub use texture::TextureSource;
 pub use view::{Motion, Turntable, View};
 
-/// The examples of the README are tested with those of the code.
+/// Compiles the README's examples as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -3,25 +3,26 @@ use rosto_studio::EditTarget;
 
 use crate::{Session, SessionError};
 
-/// What things are, for who names them.
+/// Targets, for naming.
 impl Session {
-    /// What a drag that starts at a vertex moves: what is selected, if the vertex is part of it, or what is selected there.
+    /// Target of a drag that starts at a vertex: the selection if it contains the vertex, else what a click there
+    /// selects.
     ///
     /// # Errors
     /// [`SessionError::NoSuchVertex`].
     pub fn target_at(&self, vertex: u32) -> Result<EditTarget, SessionError> {
         let Some(face) = self.face() else { return Ok(EditTarget::Landmark(known_landmark(vertex)?)) };
-        let selection = face.at_or_grabbed(face.known(vertex, self.mode())?, self.mode());
+        let selection = face.selection_around(face.known(vertex, self.mode())?, self.mode());
         Ok(selection.target())
     }
 
-    /// What is selected.
+    /// Target of the selection.
     pub fn selected_target(&self) -> Option<EditTarget> {
         self.face()?.selection().map(crate::Selection::target)
     }
 }
 
-/// Refuses a landmark that is not there.
+/// Checks that a landmark exists.
 ///
 /// # Errors
 /// [`SessionError::NoSuchVertex`].

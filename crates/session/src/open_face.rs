@@ -1,7 +1,7 @@
 mod mesh;
 mod movement;
 mod outputs;
-mod photo;
+mod photo_edit;
 mod photos;
 mod selecting;
 mod state;
@@ -17,45 +17,46 @@ use crate::rows::{Row, Rows};
 use crate::selection::Moving;
 use crate::slider_influence::{self, SliderInfluence};
 use crate::strokes::Strokes;
-pub use photo::PhotoEdit;
+pub use photo_edit::PhotoEdit;
 pub use photos::PhotoFacts;
 
 pub(crate) const M_PER_MM: f64 = 1.0 / 1000.0;
 pub(crate) const MM_PER_M: f64 = 1000.0;
 
-/// No hand moves anything further than this: more than twice the height of a face.
+/// Maximum offset of a handle: more than twice the height of a face.
 pub const MAX_OFFSET_M: f64 = 0.5;
 
-/// An edit of less is none: what sliders show and what the history adds up to differ by rounding.
-const LEAST_MM: f64 = 1e-6;
-const LEAST_M: f64 = LEAST_MM * M_PER_MM;
-const LEAST_WEIGHT: f64 = 1e-9;
+/// Offsets below this are zero: slider values and the history's sum differ by rounding.
+const MIN_MM: f64 = 1e-6;
+const MIN_M: f64 = MIN_MM * M_PER_MM;
+const MIN_WEIGHT: f64 = 1e-9;
 
-/// One open face: its model, its document, and what is selected and moved. Knows neither the page nor the camera.
+/// An open face: its model, document and selection, and the edit in progress. Independent of page and camera.
 pub struct OpenFace {
     model: FaceModel,
     document: Document,
     triangulation: Triangulation,
     selection: Option<Selection>,
-    /// Why what is selected cannot be moved, if it cannot.
+    /// Why the selection cannot be moved, if it cannot.
     refusal: Option<StudioError>,
-    /// Vertices of the mesh, pinned by hand.
+    /// Vertices pinned by the user.
     pins: Vec<u32>,
     seed: u64,
     moving: Moving,
-    /// Whether the edit in progress has left the mirror's plane, in which what is selected lies: sideways it moves alone.
+    /// Whether the edit in progress has left the mirror plane. Sideways, a selection in the plane moves without the
+    /// mirror.
     leaves_plane: bool,
-    /// Of the slider that was moved last.
+    /// Influence of the ready-made slider that moved last.
     slider_influence: SliderInfluence,
-    /// What each handle does for an amount of 1, while a slider moves.
-    ways: Vec<DVec3>,
-    /// Scratch: one offset for each handle.
+    /// Offset of each handle at amount 1, while a ready-made slider moves.
+    unit_offsets_m: Vec<DVec3>,
+    /// Scratch buffer: one offset for each handle.
     offsets_m: Vec<DVec3>,
     rows: Rows,
     photo: PhotoEdit,
-    /// How photos that led before were seen, and what was kept of them, by the landmarks found in them.
-    set_aside: Vec<(Vec<[f32; 3]>, Option<f64>, Strokes)>,
-    /// Of the whole face, in the canonical one's coordinates.
+    /// View distance and strokes of photos that led before, by their landmarks.
+    inactive_photos: Vec<(Vec<[f32; 3]>, Option<f64>, Strokes)>,
+    /// Whole-face texture, in the canonical face's coordinates.
     pub(crate) texture: Option<Photo>,
 }
 
@@ -73,21 +74,21 @@ impl OpenFace {
             moving: Moving::Nothing,
             leaves_plane: false,
             slider_influence: SliderInfluence::default(),
-            ways: Vec::new(),
+            unit_offsets_m: Vec::new(),
             offsets_m: Vec::new(),
             rows,
             photo: PhotoEdit::default(),
-            set_aside: Vec::new(),
+            inactive_photos: Vec::new(),
             texture: None,
         }
     }
 
-    /// The face as it was found.
+    /// The face as detected.
     pub fn model(&self) -> &FaceModel {
         &self.model
     }
 
-    /// Its mesh, and what was done to it.
+    /// Mesh and history.
     pub fn document(&self) -> &Document {
         &self.document
     }
@@ -96,32 +97,32 @@ impl OpenFace {
         &mut self.document
     }
 
-    /// How the landmarks are joined.
+    /// Triangulation of the landmarks.
     pub fn triangulation(&self) -> Triangulation {
         self.triangulation
     }
 
-    /// What is selected.
+    /// The current selection.
     pub fn selection(&self) -> Option<Selection> {
         self.selection
     }
 
-    /// The vertex selected, or the landmark in the middle of the region.
+    /// The selected vertex, or the central landmark of the selected region.
     pub fn selected(&self) -> Option<u32> {
-        self.selection.map(Selection::middle)
+        self.selection.map(Selection::centre)
     }
 
-    /// Why what is selected cannot be moved, if it cannot.
+    /// Why the selection cannot be moved, if it cannot.
     pub fn refusal(&self) -> Option<&StudioError> {
         self.refusal.as_ref()
     }
 
-    /// Vertices pinned by hand.
+    /// Vertices pinned by the user.
     pub fn pins(&self) -> &[u32] {
         &self.pins
     }
 
-    /// The history as people read it, oldest first.
+    /// Entries of the history for display, oldest first.
     pub fn rows(&self) -> &[Row] {
         self.rows.all()
     }
@@ -151,22 +152,22 @@ impl OpenFace {
         }
     }
 
-    /// Whether a ready-made slider or an expression is in hand, and not what is selected.
+    /// Whether a ready-made slider or an expression is being moved, rather than the selection.
     pub fn is_sliding(&self) -> bool {
         self.slider().is_some() || self.expression().is_some()
     }
 
-    /// Whether the edit in progress goes sideways out of the mirror's plane, and so without the mirror.
+    /// Whether the edit in progress moves sideways out of the mirror plane, and so without the mirror.
     pub fn leaves_plane(&self) -> bool {
         self.leaves_plane
     }
 
-    /// Whether what is held does not follow in a straight line.
+    /// Whether details rotate in the prepared edit, so that it is not linear.
     pub fn turns_details(&self) -> bool {
         self.document.spec().is_some_and(|spec| spec.settings.details == Details::AsRigidAsPossible)
     }
 
-    /// How every vertex shown follows the edit in progress, for [`Self::influence_offsets_m`].
+    /// Influence fields of the edit in progress over the displayed vertices, for [`Self::influence_offsets_m`].
     pub fn influence_fields(&self) -> [Option<&[f64]>; 2] {
         if self.expression().is_some() {
             return [None, None];
@@ -179,7 +180,7 @@ impl OpenFace {
         fields.map(|field| (!field.is_empty()).then_some(field.as_slice()))
     }
 
-    /// The offsets that [`Self::influence_fields`] are for, in metres.
+    /// Offset of each of [`Self::influence_fields`], in metres.
     pub fn influence_offsets_m(&self) -> [DVec3; 2] {
         match self.moving {
             Moving::Nothing | Moving::Expression { .. } => [DVec3::ZERO; 2],
@@ -188,14 +189,14 @@ impl OpenFace {
         }
     }
 
-    /// Selects something, or nothing; `seed` chooses random anchors.
+    /// Sets the selection; `seed` selects random anchors.
     pub(crate) fn select(&mut self, selection: Option<Selection>, choices: &Choices, seed: u64) {
         self.selection = selection;
         self.seed = seed;
         self.prepare(choices);
     }
 
-    /// Pins vertices, or frees them. An edit in progress goes on.
+    /// Pins or unpins vertices. An edit in progress continues.
     pub(crate) fn pin(&mut self, vertices: &[u32], switch: Switch, choices: &Choices) {
         self.pins.retain(|pin| !vertices.contains(pin));
         if switch == Switch::On {
@@ -204,14 +205,14 @@ impl OpenFace {
         self.keep_prepared(choices);
     }
 
-    /// Takes hold of what is selected again, after choices have changed. What has no answer stays selected, and cannot be
-    /// moved until it has one. An edit in progress is dropped.
+    /// Prepares the selection's edit with the given settings. If it has no solution, the selection stays and cannot be
+    /// moved. An edit in progress is discarded.
     pub(crate) fn prepare(&mut self, choices: &Choices) {
         self.leaves_plane = false;
-        self.prepare_as_it_moves(choices);
+        self.prepare_selection(choices);
     }
 
-    fn prepare_as_it_moves(&mut self, choices: &Choices) {
+    fn prepare_selection(&mut self, choices: &Choices) {
         self.moving = Moving::Nothing;
         self.refusal = None;
         let Some(selection) = self.selection else { return self.document.release() };
@@ -223,31 +224,31 @@ impl OpenFace {
         }
     }
 
-    /// The same, but an edit in progress goes on.
+    /// Prepares the selection's edit again; an edit in progress continues.
     pub(crate) fn keep_prepared(&mut self, choices: &Choices) {
         match self.moving {
             Moving::Nothing => self.prepare(choices),
             Moving::Slider { .. } | Moving::Expression { .. } => self.commit(choices),
             Moving::Selection { offset_mm } => {
                 self.prepare(choices);
-                // Details that find no rest are where they were.
+                // If rotating details do not converge, the previous preview remains.
                 let _ = self.preview(offset_mm, choices);
             }
         }
     }
 
-    /// One tick: no solve, no allocation. What has no answer stays where it is, as the refusal says; and where nothing is
-    /// selected, nothing happens: what moved it may speak after what it was for has gone. Returns whether it had to be held
-    /// anew, which it is when it leaves the mirror's plane or comes back.
+    /// Tick of the selection's offset: no solve, no allocation. On an error the previous offset remains; without a
+    /// prepared edit it is a no-op, because a tick can arrive after its selection is gone. Returns whether the edit was
+    /// prepared again, which happens when it leaves the mirror plane or returns to it.
     pub(crate) fn preview(&mut self, offset_mm: DVec3, choices: &Choices) -> Result<bool, SessionError> {
         let leaves_plane = offset_mm.x != 0.0 && self.lies_in_plane(choices);
         if leaves_plane == self.leaves_plane {
             self.move_selection(offset_mm)?;
             return Ok(false);
         }
-        self.whole(|face| {
+        self.transaction(|face| {
             face.leaves_plane = leaves_plane;
-            face.prepare_as_it_moves(choices);
+            face.prepare_selection(choices);
             face.move_selection(offset_mm)
         })?;
         Ok(true)
@@ -260,33 +261,33 @@ impl OpenFace {
         self.move_to(Moving::Selection { offset_mm })
     }
 
-    /// Takes a ready-made slider in hand, unless it is: one solve. An edit of something else is kept first.
-    pub(crate) fn take_slider(&mut self, slider: FaceSlider, choices: &Choices) -> Result<(), SessionError> {
+    /// Starts moving a ready-made slider: one solve. Commits another edit in progress first.
+    pub(crate) fn start_slider(&mut self, slider: FaceSlider, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
-        let taken = self.document.prepare(slider.spec());
-        self.slider_influence = taken.and_then(|()| SliderInfluence::of(&mut self.document, slider))?;
-        self.ways = slider.offsets_m(1.0);
+        let prepared = self.document.prepare(slider.spec());
+        self.slider_influence = prepared.and_then(|()| SliderInfluence::of(&mut self.document, slider))?;
+        self.unit_offsets_m = slider.offsets_m(1.0);
         self.refusal = None;
         self.moving = Moving::Slider { slider, by_mm: 0.0 };
         Ok(())
     }
 
-    /// One tick of the slider in hand: no solve, no allocation. `to_mm` is where it is to stand, all its entries counted.
+    /// Tick of the current slider: no solve, no allocation. `to_mm` is its value, including earlier entries.
     pub(crate) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Result<(), SessionError> {
         let by_mm = to_mm - self.rows.in_force_mm(EditTarget::Slider(slider));
         self.offsets_m.clear();
-        self.offsets_m.extend(self.ways.iter().map(|way| *way * (by_mm * M_PER_MM)));
+        self.offsets_m.extend(self.unit_offsets_m.iter().map(|offset| *offset * (by_mm * M_PER_MM)));
         self.move_to(Moving::Slider { slider, by_mm })
     }
 
-    /// One tick of an expression: no solve but for its first. `to` is how much of it the face is to show, all its entries
-    /// counted; with the mirror, its partner shows as much.
+    /// Tick of an expression; solves on its first use. `to` is its weight, including earlier entries; with the mirror,
+    /// its partner gets the same weight.
     pub(crate) fn express(&mut self, expression: Expression, to: f64, choices: &Choices) -> Result<(), SessionError> {
-        let way = |expression: Expression| (expression, (to - self.kept_weight(expression)).clamp(-1.0, 1.0));
+        let change = |expression: Expression| (expression, (to - self.committed_weight(expression)).clamp(-1.0, 1.0));
         let partner = Some(expression.mirrored()).filter(|&other| other != expression && choices.mirror == Mirror::On);
-        let (expression, partner) = (way(expression), partner.map(way));
-        let both = [Some(expression), partner].into_iter().flatten().filter(|(_, by)| by.abs() > LEAST_WEIGHT);
-        self.document.preview_expressions(&both.collect::<Vec<_>>())?;
+        let (expression, partner) = (change(expression), partner.map(change));
+        let changes = [Some(expression), partner].into_iter().flatten().filter(|(_, by)| by.abs() > MIN_WEIGHT);
+        self.document.preview_expressions(&changes.collect::<Vec<_>>())?;
         self.moving = Moving::Expression { expression, partner };
         Ok(())
     }
@@ -297,11 +298,12 @@ impl OpenFace {
         Ok(())
     }
 
-    /// Keeps the edit in progress as one entry; one that moves nothing is none. After a slider, the selection is held again.
+    /// Commits the edit in progress as one entry, unless nothing moved. After a slider, the selection is prepared
+    /// again.
     pub(crate) fn commit(&mut self, choices: &Choices) {
         let target = match (self.moving, self.selection) {
             (Moving::Selection { offset_mm }, Some(selection)) if offset_mm != DVec3::ZERO => Some(selection.target()),
-            (Moving::Slider { slider, by_mm }, _) if by_mm.abs() > LEAST_MM => Some(EditTarget::Slider(slider)),
+            (Moving::Slider { slider, by_mm }, _) if by_mm.abs() > MIN_MM => Some(EditTarget::Slider(slider)),
             (Moving::Expression { expression: (expression, _), .. }, _) => Some(EditTarget::Expression(expression)),
             _ => None,
         };
@@ -313,7 +315,7 @@ impl OpenFace {
         self.cancel(choices);
     }
 
-    /// Drops the edit in progress.
+    /// Discards the edit in progress.
     pub(crate) fn cancel(&mut self, choices: &Choices) {
         self.document.cancel();
         let was_slider = matches!(std::mem::take(&mut self.moving), Moving::Slider { .. });
@@ -323,11 +325,11 @@ impl OpenFace {
     }
 
     fn has_moved(&self) -> bool {
-        let mut ways = self.document.positions().iter().zip(self.document.committed());
-        ways.any(|(now, before)| now.distance(*before) > LEAST_M)
+        let mut pairs = self.document.positions().iter().zip(self.document.committed());
+        pairs.any(|(now, before)| now.distance(*before) > MIN_M)
     }
 
-    /// Changes the history by something that the document does, which says the first entry that has changed.
+    /// Applies a change of the history that returns the index of the first changed entry.
     pub(crate) fn change_history(&mut self, choices: &Choices, change: impl FnOnce(&mut Document) -> Option<usize>) {
         self.cancel(choices);
         if let Some(first) = change(&mut self.document) {
@@ -335,12 +337,12 @@ impl OpenFace {
         }
     }
 
-    /// Brings the two sides of the face closer, as an entry of the history; none if they are as close already.
+    /// Moves both sides towards symmetry, as an entry of the history; no entry if nothing moves.
     pub(crate) fn symmetrise(&mut self, share: f64, choices: &Choices) -> Result<(), SessionError> {
         self.commit(choices);
         let (label, first) = (EditTarget::Symmetry.to_string(), self.document.history().entries().len());
         let command = Command::Symmetrise { share };
-        if self.document.displacement(&command)?.iter().all(|way| way.length() <= LEAST_M) {
+        if self.document.displacement(&command)?.iter().all(|displacement| displacement.length() <= MIN_M) {
             return Ok(());
         }
         self.document.apply(&label, command)?;

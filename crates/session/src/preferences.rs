@@ -1,6 +1,6 @@
-//! Choices and view as JSON text, so that a session that ends can be gone on with in another.
+//! Settings and view as JSON text, so that another session can restore them.
 //!
-//! A text with a field that is missing or not understood is refused as a whole: missing preferences are not guessed.
+//! Text with a missing or invalid field is refused completely; there are no default values.
 
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use crate::error::SessionError;
 use crate::{AnchorChoice, Choices, SelectionMode, Session, TextureSource, Turntable, View};
 
-/// What the text tells.
+/// The contents of the text.
 pub(crate) struct Preferences {
     pub mode: SelectionMode,
     pub choices: Choices,
@@ -21,7 +21,7 @@ pub(crate) struct Preferences {
 }
 
 impl Session {
-    /// Choices and view as text, for [`Intent::Prefer`](crate::Intent::Prefer).
+    /// Settings and view as text, for [`Intent::RestorePreferences`](crate::Intent::RestorePreferences).
     pub fn preferences(&self) -> String {
         let (choices, view, settings) = (self.choices(), self.view(), self.stage().render_settings());
         let constraint = match choices.constraint {
@@ -63,7 +63,7 @@ impl Session {
     }
 }
 
-/// Whether things move is the visitor's browser's to say: that stays as it is `now`.
+/// Reads the preferences. Motion is taken from `now`, because it is a setting of the user's system.
 pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> {
     let missing = |field| SessionError::Preferences { field };
     let value: Value = serde_json::from_str(text).map_err(|_| missing("JSON"))?;
@@ -85,7 +85,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         details: if flag("turned")? { Details::AsRigidAsPossible } else { Details::Kept },
     };
     let choices = Choices { is_nearby: flag("nearby")?, ..choices.with_radius(choices.radius_mm)? };
-    let density = value["density"].as_u64().filter(|density| *density <= crate::DENSEST_SHOWN.into());
+    let density = value["density"].as_u64().filter(|density| *density <= crate::MAX_SHOWN_DENSITY.into());
     let view = View {
         scene: named(&value, "scene", Scene::from_id)?,
         falloff_band: Some(number("falloff-band")?)

@@ -2,29 +2,29 @@ use rosto_studio::{Amount, Document, EditTarget, EntryStatus};
 
 pub(crate) const PER_CENT: f64 = 100.0;
 
-/// One entry of the history, as people read it.
+/// An entry of the history, for display.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// Place in the history, from 0.
+    /// Index in the history, from 0.
     pub index: usize,
-    /// What it works on.
+    /// The object that it edits.
     pub target: EditTarget,
-    /// How far it moves what it moves, in mm, or how many per cent of the asymmetry it takes away or of an expression it adds.
+    /// Length of its offset in mm, removed asymmetry in per cent, or weight of an expression in per cent.
     pub amount: f64,
-    /// What `amount` counts: "mm" or "%".
+    /// Unit of `amount`: "mm" or "%".
     pub unit: &'static str,
-    /// How it takes part in the shape.
+    /// How it takes part in the displayed shape.
     pub status: EntryStatus,
 }
 
 impl Row {
-    /// Whether it takes part in where sliders stand.
+    /// Whether it counts towards slider values.
     pub(crate) fn counts(&self) -> bool {
         !matches!(self.status, EntryStatus::Off | EntryStatus::Impossible(_))
     }
 }
 
-/// The history as people read it, so that nothing is worked out of every entry again at each tick.
+/// The history for display, cached so that a tick does not process each entry.
 #[derive(Clone)]
 pub(crate) struct Rows {
     rows: Vec<Row>,
@@ -41,7 +41,7 @@ impl Rows {
         &self.rows
     }
 
-    /// Reads the history again from an entry on.
+    /// Reads the history again from entry `first` on.
     pub fn read(&mut self, document: &Document, first: usize) {
         self.rows.truncate(first);
         for (index, entry) in document.history().entries().iter().enumerate().skip(self.rows.len()) {
@@ -54,12 +54,12 @@ impl Rows {
         }
     }
 
-    /// The entries in force that work on `target`.
+    /// The entries in force that edit `target`.
     pub fn in_force(&self, target: EditTarget) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(move |row| row.counts() && row.target == target)
     }
 
-    /// What those add up to, in mm.
+    /// Sum of their amounts, in mm.
     pub fn in_force_mm(&self, target: EditTarget) -> f64 {
         self.in_force(target).map(|row| row.amount).sum()
     }

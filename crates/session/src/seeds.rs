@@ -1,4 +1,4 @@
-/// Seeds for random anchors, one after the other, all from one; exact as JavaScript's and JSON's numbers.
+/// Sequence of seeds for random anchors; each is exactly representable as a number in JavaScript and JSON.
 #[derive(Clone, Copy)]
 pub(crate) struct Seeds {
     state: u64,
@@ -9,22 +9,22 @@ impl Seeds {
         Self { state: seed }
     }
 
-    /// The next one, without taking it.
+    /// Returns the next seed without advancing.
     pub fn peek(&self) -> u64 {
-        mixed(self.state.wrapping_add(STEP))
+        mix(self.state.wrapping_add(STEP))
     }
 
-    /// Takes the next one.
+    /// Returns the next seed.
     pub fn draw(&mut self) -> u64 {
         self.state = self.state.wrapping_add(STEP);
-        mixed(self.state)
+        mix(self.state)
     }
 }
 
 const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// SplitMix64's output function (Steele, Lea and Flood 2014), its upper 53 bits.
-fn mixed(state: u64) -> u64 {
+/// Upper 53 bits of the output function of SplitMix64 (Steele, Lea and Flood 2014).
+fn mix(state: u64) -> u64 {
     let state = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let state = (state ^ (state >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     (state ^ (state >> 31)) >> 11

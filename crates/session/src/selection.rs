@@ -3,50 +3,50 @@ use rosto_face::{Region, canonical_positions_m, mirror_of};
 use rosto_studio::{EditTarget, Expression, FaceSlider};
 
 rosto_mesh::named! {
-    /// What a click or a drag selects.
+    /// Kind of selection made by a click or a drag.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum SelectionMode {
         /// One landmark.
         #[default]
         Landmark = "landmark",
-        /// The region around it.
+        /// The region around the landmark.
         Region = "region",
-        /// Any vertex of the mesh that is shown: at 468, the landmarks.
+        /// Any vertex of the displayed mesh; at density 0, the landmarks.
         Point = "point",
     }
 }
 
-/// What the visitor has chosen to move.
+/// The vertices that the user has selected to move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Selection {
     /// One landmark.
     Landmark(u32),
     /// All landmarks of a region.
     Region(Region),
-    /// A vertex of the mesh subdivided so often, once or more.
+    /// A vertex of a denser mesh.
     Point {
-        /// How often.
+        /// Subdivision level, from 1.
         level: u32,
-        /// Which of its vertices.
+        /// The vertex.
         vertex: u32,
     },
 }
 
-/// An edit in progress.
+/// An edit in progress; amounts are relative to the last commit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) enum Moving {
     #[default]
     Nothing,
-    /// What is selected, by an offset from where the last commit left it.
+    /// The selection, by an offset.
     Selection { offset_mm: DVec3 },
-    /// A ready-made slider, by an amount from where the last commit left it.
+    /// A ready-made slider, by an amount.
     Slider { slider: FaceSlider, by_mm: f64 },
-    /// An expression, and its partner if both sides take part, by an amount from where the last commit left each.
+    /// An expression, and its partner if both sides take part, each with the change of its weight.
     Expression { expression: (Expression, f64), partner: Option<(Expression, f64)> },
 }
 
 impl Selection {
-    /// How often the mesh is subdivided that is moved; denser ones follow.
+    /// Subdivision level of the mesh that is edited; denser ones follow.
     pub fn level(self) -> u32 {
         match self {
             Self::Landmark(_) | Self::Region(_) => 0,
@@ -62,15 +62,15 @@ impl Selection {
         }
     }
 
-    /// The vertex that carries the gizmo and the name: that of a region is the landmark nearest to its middle.
-    pub fn middle(self) -> u32 {
+    /// The vertex that carries the gizmo and the name; of a region, the landmark nearest to its centre.
+    pub fn centre(self) -> u32 {
         match self {
             Self::Landmark(vertex) | Self::Point { vertex, .. } => vertex,
-            Self::Region(region) => middle(region),
+            Self::Region(region) => centre(region),
         }
     }
 
-    /// What the history calls it.
+    /// The target of edits of this selection.
     pub fn target(self) -> EditTarget {
         match self {
             Self::Landmark(landmark) => EditTarget::Landmark(landmark),
@@ -80,15 +80,15 @@ impl Selection {
     }
 }
 
-/// Of a region that is its own mirror image, a landmark on the midline.
-fn middle(region: Region) -> u32 {
-    let is_whole = region.mirrored() == region;
+/// The landmark nearest to a region's centre; on the midline if the region is symmetric.
+fn centre(region: Region) -> u32 {
+    let is_symmetric = region.mirrored() == region;
     let vertices = region.vertices();
     let canonical_m = canonical_positions_m();
-    let place = |vertex: u32| canonical_m[vertex as usize];
-    let centre = vertices.iter().map(|&vertex| place(vertex)).sum::<DVec3>() / vertices.len() as f64;
-    let distance = |vertex: &u32| place(*vertex).distance(centre);
-    let candidates = vertices.iter().copied().filter(|&vertex| !is_whole || mirror_of(vertex) == vertex);
+    let position = |vertex: u32| canonical_m[vertex as usize];
+    let centre = vertices.iter().map(|&vertex| position(vertex)).sum::<DVec3>() / vertices.len() as f64;
+    let distance = |vertex: &u32| position(*vertex).distance(centre);
+    let candidates = vertices.iter().copied().filter(|&vertex| !is_symmetric || mirror_of(vertex) == vertex);
     candidates.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or_default()
 }
 
@@ -97,11 +97,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_middle_of_a_region_is_part_of_it_and_on_the_midline_where_the_region_is() {
+    fn the_centre_of_a_region_is_in_it_and_on_the_midline_of_symmetric_regions() {
         for region in Region::ALL {
-            let middle = Selection::Region(region).middle();
-            assert!(region.vertices().contains(&middle), "{region:?}");
-            assert_eq!(mirror_of(middle) == middle, region.mirrored() == region, "{region:?}");
+            let centre = Selection::Region(region).centre();
+            assert!(region.vertices().contains(&centre), "{region:?}");
+            assert_eq!(mirror_of(centre) == centre, region.mirrored() == region, "{region:?}");
         }
     }
 }

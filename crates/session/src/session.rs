@@ -1,39 +1,39 @@
+mod appearance;
+mod editing;
 #[cfg(test)]
 mod faults;
-mod in_photo;
 mod live_preview;
-mod moving;
 mod opening;
+mod photo;
 mod pointing;
-mod seeing;
 mod selecting;
 mod texturing;
-mod whole;
+mod transaction;
 
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Scene, Stage};
 use rosto_studio::{Document, Switch};
 
-use crate::gesture::{Gesture, Under};
+use crate::gesture::{Gesture, Hovered};
 use crate::live_preview::LivePreview;
 use crate::open_face::OpenFace;
 use crate::seeds::Seeds;
 use crate::strokes::Strokes;
 use crate::{Changed, Choices, Intent, SelectionMode, SessionError, View, marks};
-pub use in_photo::BRUSH_PX;
-pub(crate) use seeing::checked;
+pub(crate) use appearance::checked;
+pub use photo::BRUSH_PX;
 
-/// Everything of a visitor's session: the open face, what is chosen, selected and moved, and what is seen.
+/// A user's session: the open face, settings, selection, edit in progress and view.
 ///
-/// [`Session::apply`] carries out what the user asks for; an intent that is refused changes nothing. Camera frames, the
-/// texture that the worker made and the stage's size come in through methods of their own.
+/// [`Session::apply`] performs the user's actions; a refused intent changes nothing. Camera frames, the worker's
+/// texture and the stage's size are set by separate methods.
 pub struct Session {
     face: Option<OpenFace>,
     choices: Choices,
     mode: SelectionMode,
     view: View,
     gesture: Gesture,
-    under: Under,
+    hovered: Hovered,
     stage: Stage,
     seeds: Seeds,
     brush_px: Option<f64>,
@@ -43,7 +43,7 @@ pub struct Session {
 type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
 
 impl Session {
-    /// A session in which no face is open; `seed` leads to all random anchors that are ever drawn.
+    /// Creates a session without a face; `seed` determines all random anchors.
     pub fn new(seed: u64) -> Self {
         let mut session = Self {
             face: None,
@@ -51,7 +51,7 @@ impl Session {
             mode: SelectionMode::default(),
             view: View::default(),
             gesture: Gesture::default(),
-            under: Under::default(),
+            hovered: Hovered::default(),
             stage: Stage::default(),
             seeds: Seeds::new(seed),
             brush_px: None,
@@ -67,63 +67,63 @@ impl Session {
         self.face.as_ref()
     }
 
-    /// The same where there must be one.
+    /// The open face, or an error.
     pub(crate) fn open_face(&self) -> Result<&OpenFace, SessionError> {
         self.face.as_ref().ok_or(SessionError::NoFace)
     }
 
-    /// How edits are to spread.
+    /// The settings of edits.
     pub fn choices(&self) -> &Choices {
         &self.choices
     }
 
-    /// What a click or a drag selects.
+    /// Kind of selection made by a click or a drag.
     pub fn mode(&self) -> SelectionMode {
         self.mode
     }
 
-    /// What was asked for that only a face shows.
+    /// View settings, which take effect when a face is open.
     pub fn view(&self) -> &View {
         &self.view
     }
 
-    /// What is seen and how, apart from the GPU.
+    /// The stage to draw.
     pub fn stage(&self) -> &Stage {
         &self.stage
     }
 
-    /// The same for who draws it: time moves it on.
+    /// The stage, for the renderer to advance its animations.
     pub fn stage_mut(&mut self) -> &mut Stage {
         &mut self.stage
     }
 
-    /// What lies under the pointer.
-    pub fn under(&self) -> Under {
-        self.under
+    /// The vertex and gizmo axis under the pointer.
+    pub fn hovered(&self) -> Hovered {
+        self.hovered
     }
 
-    /// Whether the pressed pointer has grabbed something; if not, it turns the face.
+    /// Whether the pressed pointer has grabbed something; if not, it orbits the view.
     pub fn has_grabbed(&self) -> bool {
         self.gesture != Gesture::Idle
     }
 
-    /// Whether something is being dragged.
+    /// Whether the selection is being dragged.
     pub fn is_dragging(&self) -> bool {
         matches!(self.gesture, Gesture::Dragging { .. })
     }
 
-    /// Whether what is dragged would go further than its sliders do.
+    /// Whether the drag exceeds the range of the sliders.
     pub(crate) fn is_at_end(&self) -> bool {
         matches!(self.gesture, Gesture::Dragging { is_at_end: true, .. })
     }
 
-    /// Carries out what a visitor wants: all of it, or nothing. Tells what has changed.
+    /// Applies a user action completely or not at all; returns what changed.
     ///
     /// # Errors
-    /// [`SessionError`] for what cannot be done; the session is as it was before.
+    /// [`SessionError`] if the action is refused; the session is unchanged.
     pub fn apply(&mut self, intent: Intent) -> Result {
-        let is_in_hand = intent.takes_in_hand();
-        let changed = self.carry_out_whole(intent)?;
+        let is_in_hand = intent.ends_idle_rotation();
+        let changed = self.apply_atomically(intent)?;
         if is_in_hand {
             self.stage.end_swing();
         }
@@ -138,17 +138,17 @@ impl Session {
         Ok(changed)
     }
 
-    fn carry_out(&mut self, intent: Intent) -> Result {
+    fn dispatch(&mut self, intent: Intent) -> Result {
         match intent {
             Intent::Open(incoming) => self.open(*incoming),
             Intent::Close => self.close(),
-            Intent::Prefer(text) => self.prefer(&text),
+            Intent::RestorePreferences(text) => self.prefer(&text),
             Intent::Mode(mode) => self.set_mode(mode),
             Intent::Select(selection) => self.select(selection),
             Intent::SelectAt(vertex) => self.select_at(vertex),
-            Intent::SelectUnder(place_px) => self.select_under(place_px),
+            Intent::SelectUnder(position_px) => self.select_under(position_px),
             Intent::Pin(switch) => self.pin_selected(switch),
-            Intent::PinUnder(place_px) => self.toggle_pin_at(place_px),
+            Intent::PinUnder(position_px) => self.toggle_pin_at(position_px),
             Intent::Preset(preset) => self.set_preset(preset),
             Intent::Operator(operator) => self.choose(Choices { operator, ..self.choices }),
             Intent::Constraint(constraint) => self.choose(Choices { constraint, ..self.choices }),
@@ -163,20 +163,20 @@ impl Session {
             Intent::Express(expression, to) => self.express(expression, to),
             Intent::Commit => self.finish(OpenFace::commit),
             Intent::Cancel => self.cancel(),
-            Intent::Hover(place_px) => Ok(self.hover(place_px)),
+            Intent::Hover(position_px) => Ok(self.hover(position_px)),
             Intent::PointAt(landmark) => self.point_at(landmark),
-            Intent::Press(place_px, pointer) => Ok(self.press(place_px, pointer)),
-            Intent::Drag(place_px, pace) => self.drag(place_px, pace),
+            Intent::Press(position_px, pointer) => Ok(self.press(position_px, pointer)),
+            Intent::Drag(position_px, pace) => self.drag(position_px, pace),
             Intent::Along(axis) => self.drag_along(axis),
             Intent::Release => self.release(),
             Intent::Undo if self.brush_px.is_some() => self.change_strokes(Strokes::undo),
             Intent::Redo if self.brush_px.is_some() => self.change_strokes(Strokes::redo),
-            Intent::KeepNothing => self.change_strokes(Strokes::clear),
+            Intent::ClearStrokes => self.change_strokes(Strokes::clear),
             Intent::Undo => self.undo(),
             Intent::Redo => self.finish(|face, choices| face.change_history(choices, Document::redo)),
             Intent::Reset => self.reset(),
             Intent::ResetSelected => self.reset_selected(),
-            Intent::ComeToRest => self.come_to_rest(),
+            Intent::ResetExpressions => self.reset_expressions(),
             Intent::Switch(index, switch) => self.switch(index, switch),
             Intent::Symmetrise(share) => self.symmetrise(share),
             Intent::Density(density) => self.set_density(density),
@@ -195,7 +195,7 @@ impl Session {
         }
     }
 
-    /// A face that has grown out of the picture is framed again once it is let go.
+    /// Frames a face again that has grown out of the view, once the edit has ended.
     fn keep_in_frame(&mut self) {
         let is_free = self.stage.scene() == Scene::Solid;
         if let Some(face) = self.face.as_ref().filter(|face| is_free && !face.is_moving()) {

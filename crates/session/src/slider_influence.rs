@@ -1,8 +1,8 @@
 use glam::DVec3;
 use rosto_studio::{Document, FaceSlider, StudioError};
 
-/// How the shown mesh follows a ready-made slider: vertex v moves by `a_v Δ_a + b_v Δ_b`, where Δ_a and Δ_b are those of
-/// [`slider_offsets`]; each tick sends no more than these two to the GPU.
+/// How the displayed mesh follows a ready-made slider: vertex v moves by `a_v Δ_a + b_v Δ_b`, with the offsets of
+/// [`slider_offsets`]. Each tick sends only these two to the GPU.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct SliderInfluence {
     pub a: Vec<f64>,
@@ -10,23 +10,24 @@ pub(crate) struct SliderInfluence {
 }
 
 impl SliderInfluence {
-    /// Asks the document, which holds the slider's spec. An edit in progress is cancelled.
+    /// Computes the fields of the prepared slider. Cancels an edit in progress.
     pub fn of(document: &mut Document, slider: FaceSlider) -> Result<Self, StudioError> {
         document.preview(&slider.offsets_m(1.0))?;
-        let ways = document.positions().iter().zip(document.committed()).map(|(now, before)| *now - *before);
-        let ways: Vec<DVec3> = ways.collect();
+        let displacements = document.positions().iter().zip(document.committed()).map(|(now, before)| *now - *before);
+        let displacements: Vec<DVec3> = displacements.collect();
         document.cancel();
-        let [a, b] = slider.axes().map(|axis| ways.iter().map(|way| way.dot(axis)).collect());
+        let [a, b] =
+            slider.axes().map(|axis| displacements.iter().map(|displacement| displacement.dot(axis)).collect());
         Ok(Self { a, b })
     }
 }
 
-/// The offsets that belong to the two fields of a slider moved by an amount.
+/// The offsets of the two fields of a slider at an amount.
 pub(crate) fn slider_offsets(slider: FaceSlider, amount: f64) -> [DVec3; 2] {
     slider.axes().map(|axis| axis * amount)
 }
 
-/// The offsets that belong to the two fields of handles that move as one.
+/// The offsets of the two fields of handles with one common offset.
 pub(crate) fn offsets(offset: DVec3) -> [DVec3; 2] {
     [offset, DVec3::new(-offset.x, offset.y, offset.z)]
 }
@@ -38,9 +39,9 @@ mod tests {
     use rosto_studio::{CoordinateFrame, Rest};
 
     #[test]
-    fn two_fields_are_enough_for_every_slider() {
+    fn two_fields_describe_each_slider() {
         let mut positions = canonical_positions_m();
-        // No face is symmetric.
+        // Perturb the symmetric face.
         positions.iter_mut().enumerate().for_each(|(vertex, position)| {
             *position += 1e-3 * DVec3::new((vertex as f64).sin(), (2.1 * vertex as f64).cos(), 0.0);
         });

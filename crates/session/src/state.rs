@@ -6,93 +6,93 @@ use rosto_studio::{Expression, FaceSlider, StudioError};
 use crate::selection::Moving;
 use crate::{Choices, OpenFace, Preset, Selection, SelectionMode, Session};
 
-/// Everything that panels show, as it stands.
+/// The state that panels show.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// The open face.
     pub face: Option<FaceState>,
-    /// What a click or a drag selects.
+    /// Kind of selection made by a click or a drag.
     pub mode: SelectionMode,
-    /// How many vertices it can select, from 0.
+    /// Number of vertices that can be selected, from 0.
     pub selectable: usize,
-    /// How edits are to spread.
+    /// Settings of edits.
     pub choices: Choices,
-    /// The preset that these are, if they are one.
+    /// The preset with these settings, if there is one.
     pub preset: Option<Preset>,
-    /// How a face is seen.
+    /// View settings.
     pub view: crate::View,
     /// The light.
     pub light: Light,
     /// Which landmarks show as dots.
     pub dots: Dots,
-    /// The brush in hand: its radius in CSS px.
+    /// Radius of the brush in CSS px, if it is in use.
     pub brush_px: Option<f64>,
 }
 
-/// What panels show of an open face.
+/// The state of an open face that panels show.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaceState {
-    /// Vertices shown.
+    /// Number of displayed vertices.
     pub vertex_count: usize,
-    /// What is selected.
+    /// The current selection.
     pub selection: Option<Selection>,
-    /// Whether all that is selected is pinned.
+    /// Whether each vertex of the selection is pinned.
     pub is_pinned: bool,
-    /// Whether the other side of the face can follow what is selected.
+    /// Whether the selection has a mirror image.
     pub can_mirror: bool,
-    /// Whether what is selected is its own mirror image and the mirror is on: sideways it moves alone.
+    /// Whether the selection is its own mirror image and the mirror is on; sideways it moves without the mirror.
     pub lies_in_plane: bool,
-    /// Whether it does so now.
+    /// Whether the edit in progress moves sideways out of the mirror plane.
     pub leaves_plane: bool,
-    /// Whether a ready-made slider or an expression is in hand, and not what is selected.
+    /// Whether a ready-made slider or an expression is being moved, rather than the selection.
     pub is_sliding: bool,
-    /// Why what is selected cannot be moved, if it cannot.
+    /// Why the selection cannot be moved, if it cannot.
     pub refusal: Option<StudioError>,
-    /// Vertices that stay while what is selected moves.
+    /// Vertices that stay in place while the selection moves.
     pub anchors: Vec<u32>,
-    /// Sum in mm of the offsets that the history holds for what is selected, as far as they are in force.
-    pub kept_mm: DVec3,
-    /// Whether there are any.
+    /// Sum in mm of the selection's entries in force.
+    pub committed_mm: DVec3,
+    /// Whether the history contains entries in force that moved the selection.
     pub can_reset_selection: bool,
-    /// Whether there is something to undo.
+    /// Whether there is a change to undo.
     pub can_undo: bool,
-    /// Whether there is something to redo.
+    /// Whether there is an undone change to redo.
     pub can_redo: bool,
-    /// How many entries the history has, without what was undone.
+    /// Number of entries, without undone ones.
     pub entry_count: usize,
-    /// Whether the offsets kept go so nearly along the view that they hardly show from here.
+    /// Whether the committed offset is almost parallel to the view direction and so hardly visible.
     pub is_along_view: bool,
-    /// From how far away the face is shown in its photo, in metres.
+    /// Distance from which the photo is shown, in metres.
     pub seen_from_m: f64,
-    /// Whether that is as it was taken.
+    /// Whether that is the original distance.
     pub is_as_taken: bool,
-    /// How many strokes of the brush keep something of the photo.
+    /// Number of strokes that protect the photo.
     pub stroke_count: usize,
-    /// Whether one can be brought back.
+    /// Whether there is an undone stroke to redo.
     pub can_redo_stroke: bool,
 }
 
-/// What one tick of an edit changes.
+/// The part of the state that changes with a tick of an edit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tick {
-    /// Whether an edit is in progress that a commit would keep.
+    /// Whether an edit is in progress.
     pub is_editing: bool,
-    /// Its offset in mm, if it is one of what is selected.
+    /// Offset in mm, if the edit moves the selection.
     pub offset_mm: DVec3,
-    /// Where each ready-made slider stands, in mm.
+    /// Value of each ready-made slider, in mm.
     pub sliders_mm: [f64; FaceSlider::ALL.len()],
-    /// How much of each expression the face shows, 0..=1.
+    /// Weight of each expression, 0..=1.
     pub weights: [f64; Expression::ALL.len()],
-    /// Share of its offset that the vertex selected reaches: 1 is all of it.
+    /// Share of its offset that the selected vertex reaches; 1 is all.
     pub share_reached: f64,
-    /// Whether the pointer drags it further than its sliders go.
+    /// Whether the drag exceeds the range of the sliders.
     pub is_at_end: bool,
-    /// Whether it goes so nearly along the view that it hardly shows from here.
+    /// Whether the offset is almost parallel to the view direction and so hardly visible.
     pub is_along_view: bool,
 }
 
 impl Default for Tick {
-    /// Nothing is moved.
+    /// No edit in progress.
     fn default() -> Self {
         Self {
             is_editing: false,
@@ -107,12 +107,12 @@ impl Default for Tick {
 }
 
 impl Session {
-    /// How things stand.
+    /// Returns the state for panels.
     pub fn state(&self) -> State {
-        let selectable = self.face().map_or(LANDMARK_COUNT, |face| face.within_reach(self.mode()));
+        let selectable = self.face().map_or(LANDMARK_COUNT, |face| face.selectable_count(self.mode()));
         State {
             face: self.face().map(|face| FaceState {
-                is_along_view: self.is_along_view(face.kept_mm()),
+                is_along_view: self.is_along_view(face.committed_mm()),
                 ..face.state(self.choices())
             }),
             brush_px: self.brush_px(),
@@ -126,13 +126,13 @@ impl Session {
         }
     }
 
-    /// How far the edit in progress has gone. No allocation.
+    /// Returns the progress of the edit. Does not allocate.
     pub fn tick(&self) -> Tick {
         let tick = self.face().map(OpenFace::tick).unwrap_or_default();
         Tick { is_at_end: self.is_at_end(), is_along_view: self.is_along_view(tick.offset_mm), ..tick }
     }
 
-    /// Whether what is selected, moved by so much, goes along the view but for 14°.
+    /// Whether an offset of the selection is within 14° of the view direction.
     fn is_along_view(&self, offset_mm: DVec3) -> bool {
         const LEAST_MM: f64 = 0.5;
         let selected = self.face().and_then(|face| Some((face, face.selected()?)));
@@ -156,7 +156,7 @@ impl OpenFace {
             is_sliding: self.is_sliding(),
             refusal: self.refusal().cloned(),
             anchors: self.document().anchors().to_vec(),
-            kept_mm: self.kept_mm(),
+            committed_mm: self.committed_mm(),
             can_reset_selection: self.can_reset_selection(),
             can_undo: history.can_undo(),
             can_redo: history.can_redo(),

@@ -4,24 +4,24 @@ use rosto_face::{Photo, canonical_uvs};
 use crate::OpenFace;
 
 rosto_mesh::named! {
-    /// Which picture is laid on the face in the round.
+    /// Source of the 3D face's texture.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum TextureSource {
-        /// One of the whole face: what the photo does not show is filled.
+        /// The whole-face texture, in which areas that the photo does not show are filled in.
         #[default]
         Whole = "whole",
-        /// The photo as it was taken, and whatever is behind the face in it.
+        /// The original photo, with the background that it shows behind the face.
         Photo = "photo",
     }
 }
 
 impl OpenFace {
-    /// The texture of the whole face, once it is there.
+    /// The whole-face texture, if it is available.
     pub fn texture(&self) -> Option<&Photo> {
         self.texture.as_ref()
     }
 
-    /// Places in that texture for every vertex shown.
+    /// Texture coordinates in the whole-face texture of each displayed vertex.
     pub fn texture_uvs(&self) -> Vec<DVec2> {
         self.document().from_cage(&canonical_uvs())
     }

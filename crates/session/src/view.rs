@@ -5,66 +5,66 @@ use rosto_studio::{DEFAULT_FALLOFF_BAND, SMOOTH_DENSITY, Switch};
 
 use crate::TextureSource;
 
-/// How fast the empty state turns.
+/// Rotation speed of the empty state.
 const IDLE_TURN_DEG_PER_S: f64 = 14.0;
-/// How fast the face turns by itself, if asked to.
+/// Speed of auto-rotation.
 const TURNTABLE_DEG_PER_S: f64 = 24.0;
 
-/// What was asked for that only a face shows, kept from one face to the next.
+/// View settings of an open face; they persist from one face to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
-    /// Whether the photo is on the stage, or the face in the round.
+    /// Whether the photo or the 3D face is displayed.
     pub scene: Scene,
-    /// How far around the face its photo gives way, as a share of the face's longer side.
+    /// Falloff band around the face in its photo, as a share of the face's longer side.
     pub falloff_band: f64,
-    /// How the surface is coloured.
+    /// Colouring of the surface.
     pub shading: ShadingMode,
-    /// Which picture is laid on it.
+    /// Source of the texture.
     pub texture_source: TextureSource,
-    /// How large its texture is.
+    /// Size of the texture.
     pub texture_size: TextureSize,
-    /// From how far away it is seen.
+    /// Lens of the view.
     pub lens: Lens,
-    /// Whether edges are drawn.
+    /// Whether edges are shown.
     pub wireframe: Visibility,
-    /// What lies behind.
+    /// The background.
     pub background: Background,
-    /// Whether the face turns by itself.
+    /// Whether the face rotates automatically.
     pub turntable: Turntable,
-    /// How the landmarks of the next face are joined.
+    /// Triangulation of the next face.
     pub triangulation: Triangulation,
-    /// How often the next face's mesh is subdivided.
+    /// Density of the next face's mesh.
     pub density: u32,
-    /// What lights the photo.
+    /// Lighting of the photo.
     pub picture_light: PictureLight,
-    /// Whether what stays in place is marked.
+    /// Whether anchors are marked.
     pub anchors: Switch,
-    /// Whether things move by themselves.
+    /// Whether animations run.
     pub motion: Motion,
 }
 
-/// Whether the face turns by itself.
+/// Auto-rotation of the face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Turntable {
-    /// It stands still.
+    /// Off.
     #[default]
     Still,
-    /// It turns slowly.
+    /// Slow rotation.
     Turns,
 }
 
-/// Whether things move by themselves.
+/// Animations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Motion {
-    /// The camera glides, a face arrives, the empty state turns.
+    /// The camera glides, an opened face arrives with a movement, and the empty state rotates.
     #[default]
     Usual,
-    /// Nothing moves that was not moved.
+    /// Reduced motion: no animation.
     Reduced,
 }
 
 impl Default for View {
-    /// The face smooth and filled in, as a hand expects it, in the photo's colours.
+    /// A smooth face without holes, in the photo's colours.
     fn default() -> Self {
         Self {
             scene: Scene::default(),
@@ -86,7 +86,7 @@ impl Default for View {
 }
 
 impl View {
-    /// Makes the stage follow; the empty state has a look of its own.
+    /// Applies the settings to the stage; the empty state has a separate appearance.
     pub(crate) fn show_on(&self, stage: &mut Stage, is_empty: bool) {
         stage.set_turntable(match (is_empty, self.motion, self.turntable) {
             (true, Motion::Usual, _) => IDLE_TURN_DEG_PER_S,

@@ -103,9 +103,9 @@ impl Studio {
     ///
     /// # Errors
     /// `no-face`.
-    #[wasm_bindgen(js_name = comeToRest)]
-    pub fn come_to_rest(&mut self) -> Result<ChangeName, JsValue> {
-        self.act(Intent::ComeToRest)
+    #[wasm_bindgen(js_name = resetExpressions)]
+    pub fn reset_expressions(&mut self) -> Result<ChangeName, JsValue> {
+        self.act(Intent::ResetExpressions)
     }
 
     /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.

@@ -123,7 +123,7 @@ impl From<SessionError> for FacadeError {
             SessionError::NoSuchVertex { .. } => ("bad-vertex", "Choose a point that there is."),
             SessionError::NoSuchPhoto { .. } => ("bad-number", "Choose a photo that there is."),
             SessionError::OutOfRange { .. } => ("bad-number", "Give a number within these limits."),
-            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::InPhoto { .. } => {
+            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::PhotoEdit { .. } => {
                 ("bad-history", "Open an earlier copy of it, or the photo instead.")
             }
             SessionError::Preferences { .. } => ("bad-choice", "Make the choices again."),

@@ -78,7 +78,7 @@ impl Studio {
     /// `no-face`.
     #[wasm_bindgen(js_name = keepNothing)]
     pub fn keep_nothing(&mut self) -> Result<ChangeName, JsValue> {
-        self.act(Intent::KeepNothing)
+        self.act(Intent::ClearStrokes)
     }
 
     /// Turns the face to where an edit in depth is seen.
@@ -98,8 +98,8 @@ impl Studio {
 
     /// Middles and radii of what of the photo is kept, in device pixels of the canvas: x, y and radius in turn.
     #[wasm_bindgen(js_name = keptOnCanvas)]
-    pub fn kept_on_canvas(&self) -> Vec<f32> {
-        self.session.kept_on_canvas().into_iter().flatten().map(|px| px as f32).collect()
+    pub fn protected_on_canvas(&self) -> Vec<f32> {
+        self.session.protected_on_canvas().into_iter().flatten().map(|px| px as f32).collect()
     }
 
     /// Whether the photo waits for `followPhoto`: on the stage it follows by itself, but for what asks for a factorisation, which
@@ -136,14 +136,14 @@ impl Studio {
     /// size; undefined while no face is open.
     #[wasm_bindgen(js_name = photoLandmarks)]
     pub fn photo_landmarks(&self) -> Option<Vec<f32>> {
-        let places = self.session.face()?.landmarks_in_photo();
+        let places = self.session.face()?.landmarks_in_edited_photo();
         Some(places.into_iter().flat_map(|place| place.as_vec2().to_array()).collect())
     }
 
     /// What moves in the photo; undefined where nothing does.
     #[wasm_bindgen(js_name = photoWarp)]
     pub fn photo_warp(&mut self) -> Option<PhotoWarp> {
-        self.session.follow_in_photo();
+        self.session.update_photo_warp();
         let (warp_mesh, _) = self.session.face()?.photo().warp_mesh()?;
         let flat = |places: &[DVec2]| places.iter().flat_map(|place| place.to_array()).collect();
         Some(PhotoWarp {
@@ -176,12 +176,12 @@ impl Studio {
     }
 
     fn photo_waits(&self) -> bool {
-        self.session.face().is_some_and(|face| face.photo().waits())
+        self.session.face().is_some_and(|face| face.photo().needs_factorisation())
     }
 
     fn catch_up_photo(&mut self) -> Result<()> {
         self.photo_shown.is_due = false;
-        self.session.follow_in_photo();
+        self.session.update_photo_warp();
         self.show_photo_layer()
     }
 

@@ -169,7 +169,7 @@ impl Studio {
         #[wasm_bindgen(js_name = yPx)] y_px: f64,
     ) -> Result<Option<u32>, JsValue> {
         self.act(Intent::Hover(Some(DVec2::new(x_px, y_px))))?;
-        Ok(self.session.under().vertex)
+        Ok(self.session.hovered().vertex)
     }
 
     /// Marks a landmark that is pointed at elsewhere, such as on the photo; none when the pointer leaves.

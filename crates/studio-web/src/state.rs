@@ -111,13 +111,13 @@ impl StudioState {
         let (face, choices, view) = (state.face.as_ref(), &state.choices, &state.view);
         let is = |what: fn(&FaceState) -> bool| face.is_some_and(what);
         let selection = face.and_then(|face| face.selection);
-        let kept_mm = face.map_or(glam::DVec3::ZERO, |face| face.kept_mm);
+        let committed_mm = face.map_or(glam::DVec3::ZERO, |face| face.committed_mm);
         let light = &state.light;
         Self {
             chosen: Choice::ALL.map(|choice| session.chosen(choice)).to_vec(),
             vertex_count: face.map_or(0, |face| face.vertex_count as u32),
             selectable: state.selectable as u32,
-            selected: selection.map(Selection::middle),
+            selected: selection.map(Selection::centre),
             selected_region: match selection {
                 Some(Selection::Region(region)) => Some(region.id().to_owned()),
                 _ => None,
@@ -144,9 +144,9 @@ impl StudioState {
                 Background::Plain(Srgb(colour)) => colour.to_vec(),
                 Background::Ground | Background::Transparent => Vec::new(),
             },
-            kept_x_mm: kept_mm.x,
-            kept_y_mm: kept_mm.y,
-            kept_z_mm: kept_mm.z,
+            kept_x_mm: committed_mm.x,
+            kept_y_mm: committed_mm.y,
+            kept_z_mm: committed_mm.z,
             can_reset_selection: is(|face| face.can_reset_selection),
             can_undo: is(|face| face.can_undo),
             can_redo: is(|face| face.can_redo),
@@ -264,7 +264,7 @@ readable! {
 
 impl From<Range> for StudioRange {
     fn from(range: Range) -> Self {
-        Self { min: range.least, max: range.most, step: range.step, neutral: range.usual }
+        Self { min: range.min, max: range.max, step: range.step, neutral: range.default }
     }
 }
 

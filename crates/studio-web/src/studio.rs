@@ -201,7 +201,7 @@ impl Studio {
     /// # Errors
     /// `bad-choice`.
     pub fn prefer(&mut self, preferences: String) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Prefer(preferences))
+        self.act(Intent::RestorePreferences(preferences))
     }
 }
 

@@ -60,20 +60,20 @@ pub enum StudioError {
         density: u32,
     },
     /// The requested density exceeds the maximum.
-    #[error("{level} subdivisions are too many; the maximum is {most}")]
+    #[error("{level} subdivisions are too many; the maximum is {max}")]
     TooDense {
         /// The requested subdivision level.
         level: u32,
         /// The highest level.
-        most: u32,
+        max: u32,
     },
     /// The edit has too many handles for the memory limit.
-    #[error("{handles} vertices cannot be moved at once; the maximum on this mesh is {most}")]
+    #[error("{handles} vertices cannot be moved at once; the maximum on this mesh is {max}")]
     TooManyHandles {
         /// Number of handles.
         handles: usize,
         /// The highest number on this mesh.
-        most: usize,
+        max: usize,
     },
     /// An entry of a file has no solution.
     #[error("entry {index} of the history: {reason}")]

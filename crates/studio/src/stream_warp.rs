@@ -82,7 +82,7 @@ impl StreamWarp {
     }
 
     /// Leaves a frame without a face unwarped.
-    pub fn rest(&mut self) {
+    pub fn reset(&mut self) {
         self.warp_mesh.to_px.clone_from(&self.warp_mesh.from_px);
     }
 

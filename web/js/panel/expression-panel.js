@@ -37,7 +37,7 @@ export class ExpressionPanel {
     byId("expressions", HTMLDivElement).append(...AREAS.map(([area, prefix]) => this.#makeArea(area, prefix)));
     this.#both.addEventListener("change", () => host.act((studio) => studio.setMirror(this.#both.checked)));
     onAction("reset-expressions", () => {
-      host.act((studio) => studio.comeToRest());
+      host.act((studio) => studio.resetExpressions());
       announce(t("expressions.rested"));
     });
     host.onChange((state) => this.#showSides(state));

@@ -5,17 +5,17 @@ use rosto_studio::project;
 use super::{MM_PER_M, OpenFace};
 use crate::SessionError;
 
-/// Less of an expression is not seen.
-const LEAST_SEEN: f64 = 1e-3;
+/// Weights below this are not visible.
+const MIN_VISIBLE: f64 = 1e-3;
 
-/// What is shown and written of it.
+/// Data for display and files.
 impl OpenFace {
     /// The edits as versioned JSON.
     pub fn history_json(&self) -> String {
         project::to_json(self.document.history().entries())
     }
 
-    /// Positions in MediaPipe's normalised picture coordinates.
+    /// Positions in MediaPipe's normalised image coordinates.
     pub fn positions_image(&self) -> Vec<DVec3> {
         let image_from_model: DMat3 = self.model.image_from_model();
         let moved = self.document.positions().iter().zip(self.document.rest());
@@ -29,42 +29,41 @@ impl OpenFace {
         self.document.positions().iter().map(|&position| position * MM_PER_M).collect()
     }
 
-    /// What is known of the face beside its mesh, as JSON ([`about`]); measures are those of the landmarks as they are edited.
+    /// Data of the face apart from its mesh, as JSON ([`about`]); measures use the edited landmarks.
     pub fn about_json(&self) -> String {
         about(&self.model, self.document.cage()).to_string()
     }
 
-    /// From one vertex shown to another in mm: straight, and along the surface. Landmarks are where the cage has them, however
-    /// dense the mesh is.
+    /// Distance between two displayed vertices in mm, straight and along the surface. Between landmarks it is measured
+    /// on the cage, at any density.
     ///
     /// # Errors
-    /// [`SessionError::Studio`] for a vertex that is not there.
+    /// [`SessionError::Studio`] if a vertex does not exist.
     pub fn measured_mm(&self, from: u32, to: u32) -> Result<[f64; 2], SessionError> {
         let along_m = self.document.along_surface(from, to)?;
         let cage = self.document.cage();
         let positions = if (from.max(to) as usize) < cage.len() { cage } else { self.document.committed() };
         let straight_m = positions[from as usize].distance(positions[to as usize]);
-        // The heat method has an error of its own; nothing on a surface is nearer than straight.
+        // The heat method is approximate; the straight distance is a lower bound.
         Ok([straight_m, along_m.max(straight_m)].map(|length_m| length_m * MM_PER_M))
     }
 
-    /// Whether the face shows an expression, or one is being moved.
+    /// Whether the face has an expression, including one being moved.
     pub fn shows_expression(&self) -> bool {
-        self.expression().is_some() || self.weights().iter().any(|weight| weight.abs() > LEAST_SEEN)
+        self.expression().is_some() || self.weights().iter().any(|weight| weight.abs() > MIN_VISIBLE)
     }
 
-    /// Places in the picture for every vertex shown.
+    /// Texture coordinates in the picture of each displayed vertex.
     pub fn uvs(&self) -> Vec<DVec2> {
         self.document.from_cage(self.model.uvs())
     }
 
-    /// Colours for every vertex shown: the landmarks' own, and the photo's for those that were added between them.
+    /// Colour of each displayed vertex: the landmarks' own colours, and the photo's for vertices between them.
     pub fn colours_srgb(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
         self.model.colours_under(uvs)
     }
 
-    /// For each vertex shown, how much longer its edges are than in the face as it was found: −1 for 20 % or more
-    /// shorter, 1 for 20 % or more longer.
+    /// Relative change in the length of each displayed vertex's edges, scaled so that ±20 % is ±1 and clamped.
     pub fn stretch(&self) -> Vec<f64> {
         let (topology, rest, now) = (self.document.topology(), self.document.rest(), self.document.positions());
         let mut sums = vec![(0.0, 0.0); topology.vertex_count()];

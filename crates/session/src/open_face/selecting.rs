@@ -6,24 +6,24 @@ use super::OpenFace;
 use crate::error::SessionError;
 use crate::{Selection, SelectionMode};
 
-/// What is selected where, and what it is called.
+/// Conversion of vertices to selections.
 impl OpenFace {
-    /// How many vertices `mode` can select, from 0.
-    pub fn within_reach(&self, mode: SelectionMode) -> usize {
+    /// Number of vertices that `mode` can select, from 0.
+    pub fn selectable_count(&self, mode: SelectionMode) -> usize {
         match mode {
             SelectionMode::Landmark | SelectionMode::Region => LANDMARK_COUNT,
             SelectionMode::Point => self.document().rest().len(),
         }
     }
 
-    /// Refuses a vertex that is not there.
+    /// Checks that a vertex exists.
     pub(crate) fn known(&self, vertex: u32, mode: SelectionMode) -> Result<u32, SessionError> {
-        let count = self.within_reach(mode);
+        let count = self.selectable_count(mode);
         if (vertex as usize) < count { Ok(vertex) } else { Err(SessionError::NoSuchVertex { vertex, count }) }
     }
 
-    /// What is selected at a vertex that [`Self::known`] accepts. A region is the smallest around it or, if that is
-    /// selected already, the next larger one; where there is none, the landmark alone.
+    /// Selection at a vertex that [`Self::known`] accepts. A region is the smallest around the vertex or, if that is
+    /// already selected, the next larger one; without a region it is the landmark.
     pub(crate) fn at(&self, vertex: u32, mode: SelectionMode) -> Selection {
         let around = match (mode, self.document().density()) {
             (SelectionMode::Point, level @ 1..) => return Selection::Point { level, vertex },
@@ -31,46 +31,46 @@ impl OpenFace {
             (SelectionMode::Region, _) => Region::containing(vertex),
         };
         let is_selected = |region: &Region| self.selection() == Some(Selection::Region(*region));
-        let next = around.iter().position(is_selected).map_or(0, |place| (place + 1) % around.len());
+        let next = around.iter().position(is_selected).map_or(0, |index| (index + 1) % around.len());
         around.get(next).map_or(Selection::Landmark(vertex), |&region| Selection::Region(region))
     }
 
-    /// What is selected, if a vertex is part of it, or what is selected there.
-    pub(crate) fn at_or_grabbed(&self, vertex: u32, mode: SelectionMode) -> Selection {
+    /// The current selection if it contains the vertex, else the selection at the vertex.
+    pub(crate) fn selection_around(&self, vertex: u32, mode: SelectionMode) -> Selection {
         self.selection().filter(|_| self.holds(vertex)).unwrap_or_else(|| self.at(vertex, mode))
     }
 
-    /// What is selected, made what `mode` selects: the region around a landmark, the landmark in the middle of a region or
-    /// beside a point, the point that a landmark is on the mesh that is shown.
-    pub(crate) fn selected_by(&self, mode: SelectionMode) -> Option<Selection> {
+    /// The current selection converted to `mode`: the region around a landmark, the central landmark of a region or the
+    /// nearest one to a point, or the displayed point of a landmark.
+    pub(crate) fn selection_in(&self, mode: SelectionMode) -> Option<Selection> {
         let landmark = match (self.selection()?, mode) {
             (as_it_is @ Selection::Landmark(_), SelectionMode::Landmark)
             | (as_it_is @ Selection::Region(_), SelectionMode::Region)
             | (as_it_is @ Selection::Point { .. }, SelectionMode::Point) => return Some(as_it_is),
             (Selection::Point { vertex, .. }, _) => self.document().nearest_on(0, vertex)?,
-            (other, _) => other.middle(),
+            (other, _) => other.centre(),
         };
         Some(self.at(landmark, mode))
     }
 
-    /// Whether a vertex is selected, alone or with its region.
+    /// Whether the selection contains a vertex.
     pub fn holds(&self, vertex: u32) -> bool {
         self.selection().is_some_and(|selection| selection.handles().contains(&vertex))
     }
 
-    /// Whether the other side can follow what is selected.
+    /// Whether the selection has a mirror image.
     pub fn can_mirror(&self) -> bool {
-        let partner = |one: Selection| self.document().partner(one.level(), one.middle());
+        let partner = |one: Selection| self.document().partner(one.level(), one.centre());
         self.selection().is_none_or(|selection| partner(selection).is_some())
     }
 
-    /// Whether all that is selected is pinned.
+    /// Whether each vertex of the selection is pinned.
     pub fn is_pinned(&self) -> bool {
         let is_pinned = |vertex: &u32| self.pins().contains(vertex);
         self.selection().is_some_and(|selection| selection.handles().iter().all(is_pinned))
     }
 
-    /// The vertex that a ray meets the mesh nearest to; the landmark nearest to that where landmarks are selected.
+    /// The vertex nearest to the point where a ray hits the mesh; the nearest landmark if landmarks are selected.
     pub(crate) fn pick(&self, ray: &Ray, mode: SelectionMode) -> Option<u32> {
         let positions_m = self.document().positions();
         let surface = Surface::new(self.document().topology(), positions_m).ok()?;
@@ -81,23 +81,23 @@ impl OpenFace {
         nearest(positions_m.iter().take(LANDMARK_COUNT), positions_m[vertex as usize])
     }
 
-    /// Whether it is landmarks that are selected, alone or with their region.
+    /// Whether a click selects landmarks, alone or with their region.
     pub(crate) fn selects_landmarks(&self, mode: SelectionMode) -> bool {
         mode != SelectionMode::Point || self.document().density() == 0
     }
 
-    /// Where on the mesh at rest what is selected is.
+    /// Position of the selected vertex on the mesh at rest.
     pub(crate) fn selected_m(&self) -> Option<DVec3> {
         self.document().rest().get(self.selected()? as usize).copied()
     }
 
-    /// The vertex shown that is nearest to a place at rest.
-    pub(crate) fn nearest(&self, place_m: DVec3) -> u32 {
-        nearest(self.document().rest().iter(), place_m).unwrap_or_default()
+    /// The displayed vertex nearest to a position at rest.
+    pub(crate) fn nearest(&self, position_m: DVec3) -> u32 {
+        nearest(self.document().rest().iter(), position_m).unwrap_or_default()
     }
 }
 
-fn nearest<'a>(places_m: impl Iterator<Item = &'a DVec3>, to_m: DVec3) -> Option<u32> {
-    let distances = places_m.map(|place_m| place_m.distance_squared(to_m)).zip(0..);
+fn nearest<'a>(positions_m: impl Iterator<Item = &'a DVec3>, to_m: DVec3) -> Option<u32> {
+    let distances = positions_m.map(|position_m| position_m.distance_squared(to_m)).zip(0..);
     distances.min_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, vertex)| vertex)
 }

@@ -7,9 +7,9 @@ use crate::selection::Moving;
 use crate::slider_influence::SliderInfluence;
 use crate::{Selection, SessionError};
 
-/// What a face holds that one step of several may change while a later one can still fail. The model, the document's meshes and
-/// the photo are replaced in a last step, after which nothing fails.
-pub(crate) struct FaceBefore {
+/// Snapshot of the parts of a face that change before the last fallible step. The model, the meshes and the photo are
+/// replaced last, after which nothing fails.
+pub(crate) struct FaceSnapshot {
     document: DocumentState,
     selection: Option<Selection>,
     refusal: Option<StudioError>,
@@ -18,13 +18,13 @@ pub(crate) struct FaceBefore {
     moving: Moving,
     leaves_plane: bool,
     slider_influence: SliderInfluence,
-    ways: Vec<DVec3>,
+    unit_offsets_m: Vec<DVec3>,
     rows: Rows,
 }
 
 impl OpenFace {
-    pub(crate) fn before(&self) -> FaceBefore {
-        FaceBefore {
+    pub(crate) fn snapshot(&self) -> FaceSnapshot {
+        FaceSnapshot {
             document: self.document.state(),
             selection: self.selection,
             refusal: self.refusal.clone(),
@@ -33,28 +33,29 @@ impl OpenFace {
             moving: self.moving,
             leaves_plane: self.leaves_plane,
             slider_influence: self.slider_influence.clone(),
-            ways: self.ways.clone(),
+            unit_offsets_m: self.unit_offsets_m.clone(),
             rows: self.rows.clone(),
         }
     }
 
-    pub(crate) fn restore(&mut self, state: FaceBefore) {
+    pub(crate) fn restore(&mut self, state: FaceSnapshot) {
         self.document.restore(state.document);
         (self.selection, self.refusal, self.pins, self.seed) = (state.selection, state.refusal, state.pins, state.seed);
         (self.moving, self.leaves_plane) = (state.moving, state.leaves_plane);
-        (self.slider_influence, self.ways, self.rows) = (state.slider_influence, state.ways, state.rows);
+        (self.slider_influence, self.unit_offsets_m, self.rows) =
+            (state.slider_influence, state.unit_offsets_m, state.rows);
     }
 
-    /// Takes all of some steps, or none if one of them fails.
-    pub(crate) fn whole<T>(
+    /// Runs fallible steps; restores the face if one fails.
+    pub(crate) fn transaction<T>(
         &mut self,
         steps: impl FnOnce(&mut Self) -> Result<T, SessionError>,
     ) -> Result<T, SessionError> {
-        let before = self.before();
-        let done = steps(self);
-        if done.is_err() {
-            self.restore(before);
+        let snapshot = self.snapshot();
+        let result = steps(self);
+        if result.is_err() {
+            self.restore(snapshot);
         }
-        done
+        result
     }
 }

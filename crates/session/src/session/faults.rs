@@ -1,4 +1,4 @@
-//! Whatever fails while an intent is carried out, a refusal leaves the session as it was.
+//! A refused intent leaves the session unchanged, whichever call fails.
 
 use glam::{DVec2, DVec3};
 use rosto_face::{PhotoLens, Triangulation};
@@ -6,15 +6,15 @@ use rosto_stage::{Axis, Pointer};
 use rosto_studio::{Details, Expression, FaceSlider, Mirror, StudioError, Switch};
 
 use super::Session;
-use crate::faces::{bits, found, session};
+use crate::faces::{bits, detected, session};
 use crate::{FurtherPhoto, Incoming, Intent, Pace, Preset, Selection, SelectionMode, SessionError};
 
-/// More fallible calls than any intent makes.
-const MOST_CALLS: u32 = 100;
+/// Upper bound on the fallible calls of an intent.
+const MAX_CALLS: u32 = 100;
 const NOSE_TIP: u32 = 1;
 
-/// A session with an edit of the mouth in its history, one that was undone, and the nose tip selected.
-fn worked_on() -> Session {
+/// A session with an edit of the mouth, an undone edit, and the nose tip selected.
+fn edited_session() -> Session {
     let mut session = session();
     for intent in [
         Intent::Select(Some(Selection::Landmark(61))),
@@ -32,18 +32,18 @@ fn worked_on() -> Session {
 
 /// The same face in a further photo.
 fn further() -> FurtherPhoto {
-    let Incoming { landmarks, photo_size_px, colours_srgb, picture, lens, .. } = found();
+    let Incoming { landmarks, photo_size_px, colours_srgb, picture, lens, .. } = detected();
     FurtherPhoto { landmarks, photo_size_px, colours_srgb, picture, lens }
 }
 
-/// What may be in hand when an intent comes.
-fn in_hand() -> Vec<Vec<Intent>> {
-    let place_px = |landmark: usize| {
-        let session = worked_on();
+/// States of an edit in progress before the intent.
+fn edits_in_progress() -> Vec<Vec<Intent>> {
+    let position_px = |landmark: usize| {
+        let session = edited_session();
         let position_m = session.face().unwrap().document().positions()[landmark];
         session.stage().camera().project(position_m).unwrap()
     };
-    let nose_px = place_px(NOSE_TIP as usize);
+    let nose_px = position_px(NOSE_TIP as usize);
     let press = || Intent::Press(nose_px, Pointer::Fine);
     vec![
         vec![],
@@ -58,7 +58,7 @@ fn in_hand() -> Vec<Vec<Intent>> {
 }
 
 fn intents() -> Vec<Intent> {
-    let place_px = DVec2::new(420.0, 320.0);
+    let position_px = DVec2::new(420.0, 320.0);
     vec![
         Intent::Preset(Preset::Paper),
         Intent::Preset(Preset::Sculpt),
@@ -77,7 +77,7 @@ fn intents() -> Vec<Intent> {
         Intent::Slide(FaceSlider::NoseLength, 0.5),
         Intent::Express(Expression::JawOpen, 0.2),
         Intent::Express(Expression::BrowInnerUp, 0.2),
-        Intent::Drag(place_px, Pace::Usual),
+        Intent::Drag(position_px, Pace::Usual),
         Intent::Along(Axis::X),
         Intent::Release,
         Intent::Mode(SelectionMode::Point),
@@ -90,39 +90,42 @@ fn intents() -> Vec<Intent> {
         Intent::Redo,
         Intent::Reset,
         Intent::ResetSelected,
-        Intent::ComeToRest,
+        Intent::ResetExpressions,
         Intent::Switch(0, Switch::Off),
     ]
 }
 
-/// All that can be told of a session from outside, and what comes next.
-fn told(session: &Session) -> impl PartialEq + use<> {
+/// The externally observable state of a session, and its next seed.
+fn observable_state(session: &Session) -> impl PartialEq + use<> {
     let face = session.face().unwrap();
     let shape = (bits(face.document().positions()), bits(face.document().committed()), bits(face.document().rest()));
     let past = (face.document().history().clone(), face.rows().to_vec(), face.photos(), face.model().lens());
-    let hand = (session.under(), session.gesture.clone(), session.seeds.peek(), face.pins().to_vec());
-    let seen = (session.stage.mark_words(), format!("{:?}", session.stage), face.photo().waits());
+    let hand = (session.hovered(), session.gesture.clone(), session.seeds.peek(), face.pins().to_vec());
+    let seen = (session.stage.mark_words(), format!("{:?}", session.stage), face.photo().needs_factorisation());
     let fields = (face.influence_fields().map(|field| field.map(<[f64]>::to_vec)), face.influence_offsets_m());
     (session.state(), session.tick(), session.preferences(), shape, past, (hand, seen, fields))
 }
 
-/// Has each fallible call that an intent makes fail, one after the other; returns how many of them refused it.
-fn refusals_of(intent: &Intent, in_hand: &[Intent]) -> usize {
+/// Makes each fallible call of an intent fail in turn; returns the number of refusals.
+fn count_refusals(intent: &Intent, edits_in_progress: &[Intent]) -> usize {
     let mut refusals = 0;
-    for calls in 0..MOST_CALLS {
-        let mut session = worked_on();
-        for intent in in_hand {
+    for calls in 0..MAX_CALLS {
+        let mut session = edited_session();
+        for intent in edits_in_progress {
             session.apply(intent.clone()).unwrap();
         }
-        let before = told(&session);
+        let before = observable_state(&session);
         session.face.as_mut().unwrap().document_mut().fail_after(calls);
         let done = session.apply(intent.clone());
-        let is_past = session.face.as_mut().unwrap().document_mut().is_to_fail();
+        let not_reached = session.face.as_mut().unwrap().document_mut().is_to_fail();
         if let Err(reason) = done {
-            assert!(told(&session) == before, "{intent:?} was refused ({reason}) after {in_hand:?}, call {calls}");
+            assert!(
+                observable_state(&session) == before,
+                "{intent:?} was refused ({reason}) after {edits_in_progress:?}, call {calls}"
+            );
             refusals += usize::from(reason == SessionError::Studio(StudioError::Injected));
         }
-        if is_past {
+        if not_reached {
             return refusals;
         }
     }
@@ -130,14 +133,14 @@ fn refusals_of(intent: &Intent, in_hand: &[Intent]) -> usize {
 }
 
 #[test]
-fn whatever_fails_a_refusal_leaves_everything_as_it_was() {
+fn refused_intents_leave_the_session_unchanged() {
     let mut refusals = std::collections::BTreeMap::new();
-    for in_hand in in_hand() {
+    for edits_in_progress in edits_in_progress() {
         for intent in intents() {
-            *refusals.entry(format!("{intent:?}")).or_insert(0) += refusals_of(&intent, &in_hand);
+            *refusals.entry(format!("{intent:?}")).or_insert(0) += count_refusals(&intent, &edits_in_progress);
         }
     }
-    // Each of these takes steps that can fail after others.
+    // Intents with several fallible steps.
     for intent in [
         Intent::Preset(Preset::Paper),
         Intent::Symmetrise(0.5),
@@ -149,6 +152,6 @@ fn whatever_fails_a_refusal_leaves_everything_as_it_was() {
         Intent::Preview(DVec3::new(1.0, 1.0, 0.0)),
         Intent::Drag(DVec2::new(420.0, 320.0), Pace::Usual),
     ] {
-        assert!(refusals[&format!("{intent:?}")] > 0, "{intent:?} was not refused once");
+        assert!(refusals[&format!("{intent:?}")] > 0, "{intent:?} was not refused");
     }
 }

@@ -2,39 +2,40 @@ use rosto_face::PoseFit;
 use rosto_stage::{Pinhole, Sides};
 
 use super::Session;
-use super::in_photo::plane;
+use super::photo::plane;
 use crate::live_preview::pose_fit;
 use crate::{LivePreview, SessionError};
 
-/// The live preview: the open face's edits on a camera stream. Frames are no intents: they come by themselves, as time does, and change only what
-/// is seen.
+/// The live preview: the edits of the open face on a camera stream. Frames are not intents; they arrive over time and
+/// change only the view.
 impl Session {
-    /// What the live preview shows, while it does.
+    /// The live preview, if it is on.
     pub fn live_preview(&self) -> Option<&LivePreview> {
         self.live_preview.as_ref()
     }
 
-    /// Shows the next frame of a camera stream, of `size_px`, with the edits: 468 or 478 landmarks in MediaPipe's normalised convention, or
-    /// none where no face is in it. The first frame begins the live preview. Sides are swapped in what is seen alone: the subject's left
-    /// stays the subject's left.
+    /// Shows the next frame of a camera stream, of `size_px`, with the edits. `landmarks` are 468 or 478 in MediaPipe's
+    /// normalised convention, or `None` if the frame contains no face. The first frame starts the live preview. Only
+    /// the displayed picture is mirrored; left and right remain the subject's.
     ///
     /// # Errors
-    /// [`SessionError::NoFace`] while none is open, [`SessionError::Face`] for landmarks that make none; the frame before stays.
+    /// [`SessionError::NoFace`] without an open face, [`SessionError::Face`] for invalid landmarks; the previous frame
+    /// remains.
     pub fn preview_frame(&mut self, landmarks: Option<&[[f32; 3]]>, size_px: [u32; 2]) -> Result<(), SessionError> {
         let face = self.open_face()?;
         if let Some(landmarks) = landmarks {
             rosto_face::check_landmarks(landmarks, size_px[0], size_px[1])?;
         }
         let pose_fit = pose_fit(face, landmarks, size_px)?;
-        self.live_preview.get_or_insert_default().take(landmarks, size_px);
+        self.live_preview.get_or_insert_default().set_frame(landmarks, size_px);
         self.show_live_preview(pose_fit);
         Ok(())
     }
 
-    /// Brings edits that have changed to the frame that is shown.
+    /// Applies changed edits to the current frame.
     ///
     /// # Errors
-    /// As [`Self::preview_frame`].
+    /// See [`Self::preview_frame`].
     pub fn follow_live_preview(&mut self) -> Result<(), SessionError> {
         let (Some(live_preview), Some(face)) = (&self.live_preview, &self.face) else { return Ok(()) };
         let pose_fit = live_preview.pose_fit(face)?;
@@ -54,7 +55,7 @@ impl Session {
         }
     }
 
-    /// Ends the live preview: the photo is there again.
+    /// Ends the live preview and shows the photo again.
     pub fn end_live_preview(&mut self) {
         if self.live_preview.take().is_some() {
             self.stage.camera_mut().set_sides(Sides::True);

@@ -2,12 +2,12 @@ use rosto_face::canonical_positions_m;
 use rosto_stage::Scene;
 
 use super::{Result, Session};
-use crate::gesture::{Gesture, Under};
+use crate::gesture::{Gesture, Hovered};
 use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
 use crate::{Changed, Choices, Motion, Selection, SelectionMode, SessionError, preferences};
 
-/// What is open.
+/// Opening and closing faces.
 impl Session {
     pub(super) fn open(&mut self, incoming: Incoming) -> Result {
         let mut face = incoming::opened(incoming, (self.view.triangulation, self.view.density))?;
@@ -16,7 +16,7 @@ impl Session {
         self.view.triangulation = face.triangulation();
         self.view.density = face.document().density();
         self.face = Some(face);
-        (self.gesture, self.under, self.brush_px) = (Gesture::Idle, Under::default(), None);
+        (self.gesture, self.hovered, self.brush_px) = (Gesture::Idle, Hovered::default(), None);
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
         self.frame_in_photo();
@@ -28,7 +28,8 @@ impl Session {
         Ok(Changed::Mesh)
     }
 
-    /// Where the photo lies depends on the middle of what is framed, and how the face is framed on the photo's camera.
+    /// Frames the face with the photo's camera: the photo's plane depends on the framed centre, and framing depends on
+    /// the photo's camera.
     fn frame_in_photo(&mut self) {
         self.stage.camera_mut().set_pinhole(None);
         self.frame();
@@ -36,7 +37,7 @@ impl Session {
         self.frame();
     }
 
-    /// One photo more or less of the open face. Where another one leads then, it is the one that is seen.
+    /// Adds or removes a photo of the open face; shows the leading one if it changed.
     pub(super) fn change_photos(
         &mut self,
         change: impl FnOnce(&mut OpenFace, &Choices) -> std::result::Result<bool, SessionError>,
@@ -55,12 +56,12 @@ impl Session {
         (self.face, self.brush_px) = (None, None);
         self.end_live_preview();
         self.see_as_edited();
-        (self.gesture, self.under) = (Gesture::Idle, Under::default());
+        (self.gesture, self.hovered) = (Gesture::Idle, Hovered::default());
         self.show_empty();
         Ok(Changed::Mesh)
     }
 
-    /// What was compared with the face before is of another face.
+    /// Ends a comparison, which belongs to the previous face.
     fn see_as_edited(&mut self) {
         let settings = self.stage.render_settings_mut();
         (settings.before, settings.wipe) = (0.0, None);
@@ -76,13 +77,13 @@ impl Session {
     }
 
     pub(super) fn frame(&mut self) {
-        // As it was found: edits that come with it move it no more than those that are made later.
+        // Frame the unedited face, so that a reopened face is framed as before.
         if let Some(face) = &self.face {
             self.stage.frame(face.document().rest());
         }
     }
 
-    /// What is in the text takes the place of all choices and of how a face is seen.
+    /// Replaces settings and view with those in the text.
     pub(super) fn prefer(&mut self, text: &str) -> Result {
         let preferences = preferences::read(text, &self.view)?;
         self.finish(OpenFace::commit)?;
@@ -93,21 +94,21 @@ impl Session {
         self.show_scene();
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
         face.set_falloff_band(self.view.falloff_band);
-        // The face keeps its mesh: what is preferred is for the next one.
+        // The open face keeps its mesh; the preference applies to the next one.
         (self.view.triangulation, self.view.density) = (face.triangulation(), face.document().density());
-        let wanted = face.selected_by(self.mode);
+        let wanted = face.selection_in(self.mode);
         face.select(wanted, &self.choices, self.seeds.draw());
         Ok(Changed::Document)
     }
 }
 
-/// Gets ready what the first point to be selected would have to wait for: the factors that all points share.
+/// Builds the factorisation that all points share, so that selecting the first one is fast.
 pub(super) fn prepare(face: &mut OpenFace, mode: SelectionMode, choices: &Choices, seed: u64) {
     let level = face.document().density();
     if mode == SelectionMode::Point && level > 0 {
         let any = Selection::Point { level, vertex: 0 };
         let spec = choices.spec(any, face.pins(), seed, face.document());
-        // One that cannot be held says so when it is selected.
+        // An error is reported when a point is selected.
         let _ = face.document_mut().prepare(spec);
         face.prepare(choices);
     }

@@ -4,23 +4,23 @@ use rosto_stage::{Axis, Pointer};
 
 use super::{Result, Session};
 use crate::drag::{Drag, Pace};
-use crate::gesture::{self, Gesture, Under};
+use crate::gesture::{self, Gesture, Hovered};
 use crate::open_face::{MM_PER_M, OpenFace};
 use crate::{Changed, Selection, SessionError};
 
-/// A point of the midline that is dragged sideways by less, in CSS px, stays in the mirror's plane.
+/// Sideways drags of a midline point below this length, in CSS px, stay in the mirror plane.
 const STICKS_PX: f64 = 10.0;
 
-/// What the pointer is on, and what it drags.
+/// Hovering and dragging.
 impl Session {
-    pub(super) fn hover(&mut self, place_px: Option<DVec2>) -> Changed {
-        // The brush selects nothing.
-        let place_px = place_px.filter(|_| self.brush_px.is_none());
-        let under = place_px.map_or(Under::default(), |place_px| self.under_at(place_px, Pointer::Fine));
+    pub(super) fn hover(&mut self, position_px: Option<DVec2>) -> Changed {
+        // The brush does not select.
+        let position_px = position_px.filter(|_| self.brush_px.is_none());
+        let hovered = position_px.map_or(Hovered::default(), |position_px| self.hit_at(position_px, Pointer::Fine));
         let shows_dots = self.face.as_ref().is_some_and(|face| face.selects_landmarks(self.mode));
-        self.stage.set_pointer(place_px.filter(|_| shows_dots && under.vertex.is_some()));
-        self.stage.set_gizmo_axis(under.axis);
-        self.set_under(under);
+        self.stage.set_pointer(position_px.filter(|_| shows_dots && hovered.vertex.is_some()));
+        self.stage.set_gizmo_axis(hovered.axis);
+        self.set_hovered(hovered);
         Changed::View
     }
 
@@ -31,70 +31,72 @@ impl Session {
         }
         self.stage.set_pointer(None);
         self.stage.set_gizmo_axis(None);
-        self.set_under(Under { vertex: landmark.filter(|_| self.face.is_some()), ..Under::default() });
+        self.set_hovered(Hovered { vertex: landmark.filter(|_| self.face.is_some()), ..Hovered::default() });
         Ok(Changed::View)
     }
 
-    pub(super) fn set_under(&mut self, under: Under) {
+    pub(super) fn set_hovered(&mut self, hovered: Hovered) {
         let before = self.pointed();
-        self.under = under;
-        self.stage.set_hovered(under.vertex);
+        self.hovered = hovered;
+        self.stage.set_hovered(hovered.vertex);
         if before != self.pointed() {
             self.show_marks();
         }
     }
 
-    /// What the pointer rests on and would select, unless it is selected.
+    /// The selection that a click would make under the pointer, unless it is the current one.
     pub(super) fn pointed(&self) -> Option<Selection> {
-        let (face, vertex) = (self.face.as_ref()?, self.under.vertex?);
-        let pointed = face.at_or_grabbed(vertex, self.mode);
+        let (face, vertex) = (self.face.as_ref()?, self.hovered.vertex?);
+        let pointed = face.selection_around(vertex, self.mode);
         Some(pointed).filter(|pointed| Some(*pointed) != face.selection())
     }
 
-    /// What was under the pointer may be gone.
+    /// Clears the hovered vertex if it no longer exists.
     pub(super) fn check_pointer(&mut self) {
         let count = self.face.as_ref().map_or(0, |face| face.document().rest().len());
-        if self.under.vertex.is_some_and(|vertex| vertex as usize >= count) {
-            self.under = Under::default();
+        if self.hovered.vertex.is_some_and(|vertex| vertex as usize >= count) {
+            self.hovered = Hovered::default();
             self.stage.set_hovered(None);
             self.stage.set_pointer(None);
         }
     }
 
-    /// What is taken lights up, under a finger as well, which was not over it before.
-    pub(super) fn press(&mut self, place_px: DVec2, pointer: Pointer) -> Changed {
+    /// Starts a press. The grabbed vertex is highlighted, also for touch, which has no hover.
+    pub(super) fn press(&mut self, position_px: DVec2, pointer: Pointer) -> Changed {
         if let Some(brush_px) = self.brush_px {
-            return self.paint(place_px, brush_px);
+            return self.paint(position_px, brush_px);
         }
-        let under = self.under_at(place_px, pointer);
-        self.gesture = gesture::pressed(under, place_px);
-        self.set_under(under);
+        let hovered = self.hit_at(position_px, pointer);
+        self.gesture = gesture::pressed(hovered, position_px);
+        self.set_hovered(hovered);
         Changed::View
     }
 
-    fn under_at(&self, place_px: DVec2, pointer: Pointer) -> Under {
+    fn hit_at(&self, position_px: DVec2, pointer: Pointer) -> Hovered {
         match &self.face {
-            Some(face) if place_px.is_finite() => gesture::under(face, &self.stage, self.mode, place_px, pointer),
-            _ => Under::default(),
+            Some(face) if position_px.is_finite() => {
+                gesture::hit_test(face, &self.stage, self.mode, position_px, pointer)
+            }
+            _ => Hovered::default(),
         }
     }
 
-    pub(super) fn drag(&mut self, place_px: DVec2, pace: Pace) -> Result {
-        if !place_px.is_finite() {
+    pub(super) fn drag(&mut self, position_px: DVec2, pace: Pace) -> Result {
+        if !position_px.is_finite() {
             return Ok(Changed::Nothing);
         }
         if self.gesture == Gesture::Painting {
-            return Ok(self.go_on_painting(place_px));
+            return Ok(self.continue_stroke(position_px));
         }
         let mut grabbed = Changed::Nothing;
-        if let Gesture::Ready { vertex, axis, from_px } = self.gesture {
+        if let Gesture::Pressed { vertex, axis, from_px } = self.gesture {
             grabbed = self.grab(vertex, axis, from_px)?;
         }
         let Gesture::Dragging { drag, axis, .. } = &self.gesture else { return Ok(Changed::Nothing) };
-        Ok(self.drag_to(drag.clone(), *axis, place_px, pace)?.max(grabbed))
+        Ok(self.drag_to(drag.clone(), *axis, position_px, pace)?.max(grabbed))
     }
 
-    /// Selects what the pointer has grabbed, unless it is selected. An edit in progress is kept.
+    /// Selects the grabbed vertex unless the selection contains it. Commits an edit in progress.
     pub(super) fn grab(&mut self, vertex: u32, axis: Option<Axis>, from_px: DVec2) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         face.commit(&self.choices);
@@ -103,10 +105,10 @@ impl Session {
         }
         let face = self.open_face()?;
         let start_m = face.document().committed().get(vertex as usize).copied().unwrap_or_default();
-        let drag = Drag::new(start_m, face.kept_mm(), from_px);
+        let drag = Drag::new(start_m, face.committed_mm(), from_px);
         self.gesture = Gesture::Dragging { drag, axis, to_px: from_px, pace: Pace::Usual, is_at_end: false };
         self.stage.set_pointer(None);
-        self.set_under(Under::default());
+        self.set_hovered(Hovered::default());
         Ok(Changed::Document)
     }
 
@@ -116,7 +118,7 @@ impl Session {
         self.drag_to(drag.clone(), axis, *to_px, *pace)
     }
 
-    /// The drag goes to a place, unless what is selected has no answer there.
+    /// Moves the drag to a position, unless the edit has no solution there.
     fn drag_to(&mut self, mut drag: Drag, axis: Option<Axis>, to_px: DVec2, pace: Pace) -> Result {
         let (mut changed, mut is_at_end) = (Changed::Nothing, self.is_at_end());
         if let Some(wanted) = self.offset_at(&mut drag, axis, to_px, pace) {
@@ -128,12 +130,12 @@ impl Session {
         Ok(changed)
     }
 
-    /// How far in mm what is selected goes with the pointer, and whether that is the end of its sliders; none for what cannot be
-    /// moved, which stays, as the state says.
+    /// Offset of the selection in mm for a pointer position, and whether it reaches the end of the sliders. `None` if
+    /// the selection cannot be moved.
     fn offset_at(&self, drag: &mut Drag, axis: Option<Axis>, to_px: DVec2, pace: Pace) -> Option<(DVec3, bool)> {
         let (face, camera) = (self.face.as_ref().filter(|face| face.refusal().is_none())?, self.stage.camera());
         let mut offset_mm = drag.offset_m(camera, to_px, axis, pace) * MM_PER_M;
-        // No hand is straight: in the mirror's plane stays what is not meant to leave it.
+        // Keep small sideways movements of a midline point in the mirror plane.
         let sticks_mm = drag.mm_of_px(camera, STICKS_PX * self.stage.pixel_ratio());
         if axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.choices) {
             offset_mm.x = 0.0;
@@ -150,8 +152,8 @@ impl Session {
         if is_dragging { self.finish(OpenFace::commit) } else { Ok(Changed::Nothing) }
     }
 
-    pub(super) fn vertex_at(&self, place_px: DVec2) -> Option<u32> {
-        let ray = self.stage.camera().ray(place_px);
-        self.face.as_ref().filter(|_| place_px.is_finite())?.pick(&ray, self.mode)
+    pub(super) fn vertex_at(&self, position_px: DVec2) -> Option<u32> {
+        let ray = self.stage.camera().ray(position_px);
+        self.face.as_ref().filter(|_| position_px.is_finite())?.pick(&ray, self.mode)
     }
 }

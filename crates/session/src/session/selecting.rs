@@ -9,15 +9,15 @@ use crate::error::bounded_factor;
 use crate::gesture::Gesture;
 use crate::{Changed, Choices, Preset, Selection, SelectionMode, SessionError};
 
-/// What is selected, and how edits of it spread.
+/// Selection and edit settings.
 impl Session {
-    /// The first time that points of a dense mesh are to be selected needs a while.
+    /// Sets the selection mode. The first switch to points of a dense mesh builds a factorisation.
     pub(super) fn set_mode(&mut self, mode: SelectionMode) -> Result {
         self.mode = mode;
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
         face.commit(&self.choices);
         prepare(face, mode, &self.choices, self.seeds.peek());
-        let wanted = face.selected_by(mode);
+        let wanted = face.selection_in(mode);
         if wanted != face.selection() {
             self.gesture = Gesture::Idle;
             face.select(wanted, &self.choices, self.seeds.draw());
@@ -44,9 +44,9 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    /// What is under the pointer; nothing where it is beside the face.
-    pub(super) fn select_under(&mut self, place_px: DVec2) -> Result {
-        match self.vertex_at(place_px) {
+    /// Selects what is under the pointer; clears the selection outside the face.
+    pub(super) fn select_under(&mut self, position_px: DVec2) -> Result {
+        match self.vertex_at(position_px) {
             Some(vertex) => self.select_at(vertex),
             None if self.face.is_some() => self.select(None),
             None => Ok(Changed::Nothing),
@@ -66,15 +66,15 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    pub(super) fn toggle_pin_at(&mut self, place_px: DVec2) -> Result {
-        let vertex = self.vertex_at(place_px);
+    pub(super) fn toggle_pin_at(&mut self, position_px: DVec2) -> Result {
+        let vertex = self.vertex_at(position_px);
         let (Some(face), Some(vertex)) = (&mut self.face, vertex) else { return Ok(Changed::Nothing) };
         let switch = if face.pins().contains(&vertex) { Switch::Off } else { Switch::On };
         face.pin(&[vertex], switch, &self.choices);
         Ok(Changed::Document)
     }
 
-    /// The paper's edit is one of the landmarks alone; a hand has a smooth face before it.
+    /// The paper edits landmarks only, so its preset shows the cage; the sculpting preset shows a smooth face.
     pub(super) fn set_preset(&mut self, preset: Preset) -> Result {
         let density = match preset {
             Preset::Paper => 0,
@@ -84,7 +84,7 @@ impl Session {
         if density == self.view.density { Ok(changed) } else { self.set_density(density) }
     }
 
-    /// An edit in progress goes on with the new choices.
+    /// Changes the settings; an edit in progress continues with them.
     pub(super) fn choose(&mut self, choices: Choices) -> Result {
         self.choices = choices;
         if let Some(face) = &mut self.face {
@@ -95,9 +95,9 @@ impl Session {
 
     pub(super) fn widen(&mut self, factor: f64) -> Result {
         let factor = bounded_factor(factor)?;
-        // Whole steps, as the panel shows them.
+        // Whole steps, as in the panel.
         let radius_mm = (self.choices.radius_mm * factor / RADIUS_MM.step).round() * RADIUS_MM.step;
-        let radius_mm = radius_mm.clamp(RADIUS_MM.least, RADIUS_MM.most);
+        let radius_mm = radius_mm.clamp(RADIUS_MM.min, RADIUS_MM.max);
         self.choose(self.choices.with_radius(radius_mm)?)
     }
 }

@@ -5,15 +5,14 @@ use rosto_studio::{texture_plan, texture_side_px};
 use super::Session;
 use crate::{Changed, SessionError, TextureSource};
 
-/// The texture of the whole face is made elsewhere, since it takes longer than a frame, and is shown once it is there.
+/// The whole-face texture. A worker bakes it, because that takes longer than a frame; it is shown when it arrives.
 impl Session {
-    /// How long the side of the open face's texture is, or is to be, in px: no longer than what was chosen, nor than its photos
-    /// can fill.
+    /// Side of the open face's texture in px: the selected size, limited by the resolution of its photos.
     pub fn texture_side_px(&self) -> Option<u32> {
         self.face().map(|face| texture_side_px(face.model(), self.view().texture_size.px()))
     }
 
-    /// How long the side of a texture is to be, in px, that the open face lacks; none where it lacks none.
+    /// Side in px of the texture that the open face needs; `None` if it has it.
     pub fn texture_wanted_px(&self) -> Option<u32> {
         let there = self.face()?.texture.as_ref().map(Photo::width);
         self.texture_side_px().filter(|side_px| there != Some(*side_px))
@@ -24,14 +23,14 @@ impl Session {
         Changed::Mesh
     }
 
-    /// The texture that is there is shown until the other one is.
+    /// The current texture is shown until the new one arrives.
     pub(super) fn set_texture_size(&mut self, size: TextureSize) -> Changed {
         self.view.texture_size = size;
         Changed::Document
     }
 
-    /// What it is made of but for the pixels of the photos, the one that leads first: a plan as bytes, of which `rosto-texture`
-    /// makes it.
+    /// Plan of the texture as bytes for `rosto-texture`: everything except the pixels of the photos, the leading one
+    /// first.
     ///
     /// # Errors
     /// [`SessionError::NoFace`].
@@ -41,8 +40,8 @@ impl Session {
         Ok(texture_plan(model, &others).to_bytes())
     }
 
-    /// Takes the texture, which changes nothing but what is seen. One that is not as large as the one that is wanted is
-    /// passed over: it was made for something else.
+    /// Sets the texture. A texture of another size than the wanted one is ignored, because it was baked for an earlier
+    /// request.
     pub fn take_texture(&mut self, texture: Photo) -> Changed {
         let is_wanted = self.texture_wanted_px() == Some(texture.width());
         match self.face.as_mut().filter(|_| is_wanted) {
@@ -54,7 +53,7 @@ impl Session {
         }
     }
 
-    /// Whether the texture of the whole face is what is seen of the open one.
+    /// Whether the whole-face texture is displayed.
     pub fn shows_texture(&self) -> bool {
         self.view().texture_source == TextureSource::Whole && self.face().is_some_and(|face| face.texture.is_some())
     }

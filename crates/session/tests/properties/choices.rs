@@ -1,4 +1,4 @@
-//! Every entry of the tables can be chosen, is then what is said to be chosen, and has words in every language.
+//! Each value of a setting can be chosen, is then reported as chosen, and has words in each language.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,7 +12,7 @@ use crate::faces::session;
 type Words = BTreeMap<String, String>;
 
 #[test]
-fn what_is_offered_can_be_chosen_and_is_then_what_is_chosen() {
+fn each_value_can_be_chosen() {
     for choice in Choice::ALL {
         let mut session = session();
         let values = choice.values();
@@ -27,20 +27,20 @@ fn what_is_offered_can_be_chosen_and_is_then_what_is_chosen() {
 }
 
 #[test]
-fn what_was_chosen_is_chosen_again_in_another_session() {
+fn preferences_restore_settings() {
     for choice in Choice::ALL.into_iter().filter(|choice| *choice != Choice::Preset) {
         for id in choice.values() {
             let mut before = session();
             before.apply(choice.intent(&id).unwrap()).unwrap();
             let mut after = Session::new(1);
-            after.apply(Intent::Prefer(before.preferences())).unwrap();
+            after.apply(Intent::RestorePreferences(before.preferences())).unwrap();
             assert_eq!(after.chosen(choice), Some(id), "{choice:?}");
         }
     }
 }
 
 #[test]
-fn whatever_has_an_id_has_words_in_every_language() {
+fn ids_have_words_in_each_language() {
     for (language, words) in languages() {
         let missing: Vec<String> = named().into_iter().filter(|key| !words.contains_key(key)).collect();
         assert!(missing.is_empty(), "web/words/{language}.json has no words for {missing:?}");
@@ -48,7 +48,7 @@ fn whatever_has_an_id_has_words_in_every_language() {
 }
 
 #[test]
-fn names_tell_things_of_a_kind_apart_in_every_language() {
+fn names_are_distinct_within_a_kind() {
     for (language, words) in languages() {
         for kind in ["landmark", "part", "region", "slider"] {
             let of_kind =
@@ -60,7 +60,7 @@ fn names_tell_things_of_a_kind_apart_in_every_language() {
     }
 }
 
-/// The keys of the words that ids ask for.
+/// Keys of the words that the ids need.
 fn named() -> Vec<String> {
     let chosen = Choice::ALL.into_iter().flat_map(|choice| {
         let values = choice.values().into_iter().map(move |id| format!("{}.{id}", choice.id()));
@@ -85,7 +85,7 @@ fn named() -> Vec<String> {
     chosen.chain(of_face).chain(formats).chain(of_files).collect()
 }
 
-/// Every language that the page speaks, with its words.
+/// The page's languages, with their words.
 fn languages() -> Vec<(String, Words)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/words");
     let read = |name: &str| std::fs::read_to_string(format!("{folder}/{name}.json")).unwrap();

@@ -5,8 +5,8 @@ use rosto_session::{Incoming, Intent, Session, Work};
 
 pub const SIZE_PX: [u32; 2] = [800, 600];
 
-/// A face as if it had been found in a photo of 64 × 64 px: as asymmetric as faces are.
-pub fn found() -> Incoming {
+/// An asymmetric face as detected in a photo of 64 × 64 px.
+pub fn detected() -> Incoming {
     let landmark = |(vertex, p): (usize, &glam::DVec3)| {
         let tilt = 0.004 * (vertex as f64).sin();
         [0.5 + 3.0 * p.x + tilt, 0.5 - 3.0 * p.y, -3.0 * p.z + tilt].map(|coordinate| coordinate as f32)
@@ -22,17 +22,17 @@ pub fn found() -> Incoming {
     }
 }
 
-/// The same with work done to it before.
-pub fn worked_on(history: &str, triangulation: Triangulation, density: u32) -> Incoming {
-    Incoming { work: Some(Work { triangulation, density, history: history.to_owned(), photo: None }), ..found() }
+/// A face with earlier edits.
+pub fn with_history(history: &str, triangulation: Triangulation, density: u32) -> Incoming {
+    Incoming { work: Some(Work { triangulation, density, history: history.to_owned(), photo: None }), ..detected() }
 }
 
-/// A session with that face, on a canvas of 800 × 600 px, that stands still.
+/// A session with a face, on a canvas of 800 × 600 px, with reduced motion.
 pub fn session() -> Session {
     let mut session = Session::new(7);
     session.apply(Intent::Motion(rosto_session::Motion::Reduced)).unwrap();
     session.apply(Intent::Resize(SIZE_PX, 1.0)).unwrap();
-    open(&mut session, found());
+    open(&mut session, detected());
     session
 }
 
@@ -40,7 +40,7 @@ pub fn open(session: &mut Session, incoming: Incoming) {
     session.apply(Intent::Open(Box::new(incoming))).unwrap();
 }
 
-/// The positions' bits, so that equality means the same bytes.
+/// Bits of the positions, for exact comparison.
 pub fn bits(positions: &[glam::DVec3]) -> Vec<[u64; 3]> {
     positions.iter().map(|p| p.to_array().map(f64::to_bits)).collect()
 }

@@ -1,4 +1,4 @@
-//! Whatever a visitor, or a page with a fault, may want.
+//! Strategies for intents, valid and invalid.
 
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -9,9 +9,9 @@ use rosto_stage::{
 };
 use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
-use crate::faces::{SIZE_PX, found, worked_on};
+use crate::faces::{SIZE_PX, detected, with_history};
 
-/// One intent of any kind.
+/// An intent of any kind.
 pub fn anything() -> impl Strategy<Value = Intent> {
     prop_oneof![
         8 => selecting(),
@@ -26,17 +26,17 @@ pub fn anything() -> impl Strategy<Value = Intent> {
     ]
 }
 
-/// One intent that changes the face, or how.
+/// An intent that edits the face or changes the edit settings.
 pub fn editing() -> impl Strategy<Value = Intent> {
     prop_oneof![2 => selecting(), 2 => choosing(), 4 => moving(), 3 => history()]
 }
 
-/// One intent of the pointer or the view, on a face that is edited.
+/// An intent of the pointer or the view, mixed with edits.
 pub fn looking() -> impl Strategy<Value = Intent> {
     prop_oneof![6 => pointing(), 1 => selecting(), 1 => moving(), 1 => history(), 3 => seeing(), 1 => in_photo()]
 }
 
-/// One intent that replaces the mesh or the face, or edits it.
+/// An intent that replaces the mesh or the face, mixed with edits.
 pub fn meshing() -> impl Strategy<Value = Intent> {
     prop_oneof![4 => mesh(), 1 => opening(), 2 => selecting(), 3 => moving(), 3 => history()]
 }
@@ -49,8 +49,8 @@ fn selecting() -> impl Strategy<Value = Intent> {
         region().prop_map(|region| Intent::Select(Some(Selection::Region(region)))),
         Just(Intent::Select(None)),
         vertex().prop_map(Intent::SelectAt),
-        place().prop_map(Intent::SelectUnder),
-        place().prop_map(Intent::PinUnder),
+        position().prop_map(Intent::SelectUnder),
+        position().prop_map(Intent::PinUnder),
         switch().prop_map(Intent::Pin),
     ]
 }
@@ -87,11 +87,11 @@ fn moving() -> impl Strategy<Value = Intent> {
 fn pointing() -> impl Strategy<Value = Intent> {
     let pointer = || any_of(&[Pointer::Fine, Pointer::Coarse]);
     prop_oneof![
-        2 => place().prop_map(|place| Intent::Hover(Some(place))),
+        2 => position().prop_map(|position| Intent::Hover(Some(position))),
         1 => Just(Intent::Hover(None)),
         1 => prop::option::of(vertex()).prop_map(Intent::PointAt),
-        3 => (place(), pointer()).prop_map(|(place, pointer)| Intent::Press(place, pointer)),
-        6 => (place(), any_of(&[Pace::Usual, Pace::Fine])).prop_map(|(place, pace)| Intent::Drag(place, pace)),
+        3 => (position(), pointer()).prop_map(|(position, pointer)| Intent::Press(position, pointer)),
+        6 => (position(), any_of(&[Pace::Usual, Pace::Fine])).prop_map(|(position, pace)| Intent::Drag(position, pace)),
         1 => any_of(&Axis::ALL).prop_map(Intent::Along),
         2 => Just(Intent::Release),
     ]
@@ -103,7 +103,7 @@ fn history() -> impl Strategy<Value = Intent> {
         2 => Just(Intent::Redo),
         1 => Just(Intent::Reset),
         1 => Just(Intent::ResetSelected),
-        1 => Just(Intent::ComeToRest),
+        1 => Just(Intent::ResetExpressions),
         2 => (0..12usize, switch()).prop_map(|(index, switch)| Intent::Switch(index, switch)),
         1 => prop_oneof![0.0..=1.0, number()].prop_map(Intent::Symmetrise),
     ]
@@ -160,7 +160,7 @@ fn in_photo() -> impl Strategy<Value = Intent> {
         1 => prop_oneof![0.1..0.8, number()].prop_map(Intent::FalloffBand),
         2 => proptest::option::of(prop_oneof![0.2..3.0, number()]).prop_map(Intent::SeenFrom),
         2 => proptest::option::of(prop_oneof![4.0..120.0, number()]).prop_map(Intent::Brush),
-        1 => Just(Intent::KeepNothing),
+        1 => Just(Intent::ClearStrokes),
         1 => Just(Intent::ShowDepth),
     ]
 }
@@ -169,19 +169,19 @@ fn opening() -> impl Strategy<Value = Intent> {
     let slid =
         r#"{"rosto":"history","version":1,"entries":[{"label":"symmetry","switch":"on","symmetrise":{"share":0.5}}]}"#;
     let newer = r#"{"rosto":"history","version":99,"entries":[]}"#;
-    let mut nowhere = found();
+    let mut nowhere = detected();
     nowhere.landmarks.fill([0.5; 3]);
     let faces = vec![
-        found(),
-        worked_on(slid, Triangulation::Tessellation, 1),
-        worked_on(newer, Triangulation::Canonical, 0),
-        worked_on(slid, Triangulation::Canonical, 9),
+        detected(),
+        with_history(slid, Triangulation::Tessellation, 1),
+        with_history(newer, Triangulation::Canonical, 0),
+        with_history(slid, Triangulation::Canonical, 9),
         nowhere,
     ];
     prop_oneof![
         6 => any_of(&faces).prop_map(|incoming| Intent::Open(Box::new(incoming))),
         1 => Just(Intent::Close),
-        1 => Just(Intent::Prefer("{}".to_owned())),
+        1 => Just(Intent::RestorePreferences("{}".to_owned())),
     ]
 }
 
@@ -197,13 +197,13 @@ fn switch() -> impl Strategy<Value = Switch> {
     any_of(&[Switch::On, Switch::Off])
 }
 
-/// Mostly landmarks, and some that are on denser meshes or on none.
+/// Mostly landmarks, with some vertices of denser meshes and some that do not exist.
 fn vertex() -> impl Strategy<Value = u32> {
     prop_oneof![6 => 0..468u32, 2 => 0..7_257u32, 1 => any::<u32>()]
 }
 
-/// Mostly on the canvas, where the face is.
-fn place() -> impl Strategy<Value = DVec2> {
+/// Mostly positions on the face.
+fn position() -> impl Strategy<Value = DVec2> {
     let near = (250.0..550.0, 120.0..480.0);
     prop_oneof![
         8 => near.prop_map(|(x, y)| DVec2::new(x, y)),
@@ -211,7 +211,7 @@ fn place() -> impl Strategy<Value = DVec2> {
     ]
 }
 
-/// Numbers as people, and faults, bring them forth.
+/// Typical, boundary and invalid numbers.
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => -2.0..2.0,

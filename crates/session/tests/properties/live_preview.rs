@@ -1,4 +1,4 @@
-//! The live preview: edits on the face of whoever is before the camera.
+//! The live preview: edits on a camera stream.
 
 use glam::{DMat3, DQuat, DVec2, DVec3, EulerRot};
 use rosto_face::{LANDMARK_COUNT, canonical_positions_m};
@@ -6,11 +6,11 @@ use rosto_session::{Intent, Session, SessionError};
 use rosto_stage::{Scene, Sides};
 use rosto_studio::{FaceSlider, StreamWarp};
 
-use crate::faces::{found, open, session};
+use crate::faces::{detected, open, session};
 
 const FRAME_PX: [u32; 2] = [640, 480];
 
-/// Where a head is before the camera.
+/// Pose of a head in front of the camera.
 #[derive(Debug, Clone, Copy)]
 struct Pose {
     /// Yaw, pitch and roll in degrees.
@@ -26,13 +26,13 @@ const POSES: [Pose; 4] = [
     Pose { turned_deg: [3.0, 2.0, 80.0], px_per_m: 1500.0, middle_px: [330.0, 250.0] },
 ];
 
-/// A head as a frame shows it, in MediaPipe's convention.
+/// Landmarks of a head in a frame, in MediaPipe's convention.
 fn seen(head_m: &[DVec3], pose: Pose) -> Vec<[f32; 3]> {
     let [yaw, pitch, roll] = pose.turned_deg.map(f64::to_radians);
     let turn = DMat3::from_quat(DQuat::from_euler(EulerRot::YXZ, yaw, pitch, roll));
     let [width, height] = FRAME_PX.map(f64::from);
-    let point = |&place_m: &DVec3| {
-        let p = turn * place_m * pose.px_per_m;
+    let point = |&position_m: &DVec3| {
+        let p = turn * position_m * pose.px_per_m;
         let at = DVec2::from(pose.middle_px) + DVec2::new(p.x, -p.y);
         [at.x / width, at.y / height, -p.z / width].map(|coordinate| coordinate as f32)
     };
@@ -56,12 +56,12 @@ fn displacements_m(session: &Session) -> Vec<DVec3> {
     live_preview.edited_m().iter().zip(live_preview.seen_m()).map(|(edited, seen)| *edited - *seen).collect()
 }
 
-fn furthest(ways: impl Iterator<Item = DVec3>) -> f64 {
-    ways.map(DVec3::length).fold(0.0, f64::max)
+fn furthest(displacements: impl Iterator<Item = DVec3>) -> f64 {
+    displacements.map(DVec3::length).fold(0.0, f64::max)
 }
 
 #[test]
-fn without_edits_nothing_moves() {
+fn frames_without_edits_do_not_move() {
     let mut session = session();
     for pose in POSES {
         session.preview_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
@@ -73,28 +73,30 @@ fn without_edits_nothing_moves() {
 }
 
 #[test]
-fn the_same_face_gets_the_same_edits_wherever_it_is_however_large_and_turned() {
+fn edits_are_independent_of_the_pose() {
     for density in [0, 1] {
         let mut session = edited();
         session.apply(Intent::Density(density)).unwrap();
         let face = session.face().unwrap().document();
         let wanted: Vec<DVec3> = face.positions().iter().zip(face.rest()).map(|(now, rest)| *now - *rest).collect();
-        assert!(furthest(wanted.iter().copied()) > 2e-3, "the edit is one");
+        assert!(furthest(wanted.iter().copied()) > 2e-3, "the edit moves the face");
         for pose in POSES {
             session.preview_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
-            let off = furthest(displacements_m(&session).iter().zip(&wanted).map(|(way, wanted)| *way - *wanted));
+            let off = furthest(
+                displacements_m(&session).iter().zip(&wanted).map(|(displacement, wanted)| *displacement - *wanted),
+            );
             assert!(off < 1e-9, "{off} m at {pose:?}");
         }
     }
 }
 
 #[test]
-fn edits_fade_around_a_mouth_that_opens_and_only_there() {
+fn edits_fade_only_around_an_opening_mouth() {
     let mut session = session();
     session.apply(Intent::Slide(FaceSlider::LipFullness, 3.0)).unwrap();
     session.apply(Intent::Slide(FaceSlider::NoseWidth, 5.0)).unwrap();
     session.apply(Intent::Commit).unwrap();
-    // The lower lip and what is below it.
+    // The lower lip and the face below it.
     let lip_m = canonical_positions_m()[13];
     let opened = |by_m: f64| -> Vec<DVec3> {
         let below =
@@ -106,8 +108,8 @@ fn edits_fade_around_a_mouth_that_opens_and_only_there() {
     let mut left = Vec::new();
     for head in heads {
         session.preview_frame(Some(&seen(&head, POSES[0])), FRAME_PX).unwrap();
-        let ways = displacements_m(&session);
-        left.push([nose, lip].map(|vertex: usize| ways[vertex].length()));
+        let displacements = displacements_m(&session);
+        left.push([nose, lip].map(|vertex: usize| displacements[vertex].length()));
     }
     let [nose_m, lip_m] = [0, 1].map(|which| left.iter().map(|left| left[which]).collect::<Vec<f64>>());
     assert!(lip_m[0] > 1e-4 && lip_m.windows(2).all(|pair| pair[1] <= pair[0] + 1e-12), "{lip_m:?}");
@@ -133,13 +135,13 @@ fn mesh_and_camera_stream_coincide_on_the_stage_with_their_sides_swapped() {
             assert!(stage.place_of(uv).unwrap().distance(seen) < 0.05, "landmark {vertex} at {pose:?}");
             let ray = stage.camera().ray(px);
             let aside = (live_preview.edited_m()[vertex] - ray.origin).cross(ray.direction).length();
-            assert!(aside < 1e-6, "the ray under it passes by {aside} m");
+            assert!(aside < 1e-6, "the ray misses it by {aside} m");
         }
     }
 }
 
 #[test]
-fn a_face_that_goes_leaves_the_camera_stream_as_it_is_and_comes_back_with_its_edits() {
+fn frames_without_a_face_are_unchanged_and_edits_return_with_it() {
     let mut session = edited();
     session.preview_frame(None, FRAME_PX).unwrap();
     assert!(!session.live_preview().unwrap().is_seen());
@@ -157,7 +159,7 @@ fn a_face_that_goes_leaves_the_camera_stream_as_it_is_and_comes_back_with_its_ed
 }
 
 #[test]
-fn when_the_mirror_ends_the_photo_is_where_it_was() {
+fn ending_the_live_preview_restores_the_photo() {
     let mut session = edited();
     session.apply(Intent::Scene(Scene::Picture)).unwrap();
     session.stage_mut().advance(0.0);
@@ -175,7 +177,7 @@ fn when_the_mirror_ends_the_photo_is_where_it_was() {
 }
 
 #[test]
-fn what_is_no_frame_is_refused_and_the_mirror_stays() {
+fn invalid_frames_are_refused_and_the_live_preview_continues() {
     let mut empty = Session::new(1);
     assert_eq!(empty.preview_frame(None, FRAME_PX), Err(SessionError::NoFace));
     let mut session = edited();
@@ -184,14 +186,14 @@ fn what_is_no_frame_is_refused_and_the_mirror_stays() {
     let before = displacements_m(&session);
     assert!(matches!(session.preview_frame(Some(&landmarks[..7]), FRAME_PX), Err(SessionError::Face(_))));
     assert_eq!(displacements_m(&session), before);
-    // Another face is opened while it runs.
-    open(&mut session, found());
+    // Open another face during the live preview.
+    open(&mut session, detected());
     session.preview_frame(Some(&landmarks), FRAME_PX).unwrap();
     assert_eq!(furthest(displacements_m(&session).into_iter()), 0.0);
 }
 
 #[test]
-fn a_camera_stream_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_frame() {
+fn a_moving_face_needs_one_layout_and_stays_within_the_frame() {
     let session = edited();
     let triangles = session.face().unwrap().model().topology().triangles().to_vec();
     let mut stream_warp = StreamWarp::default();
@@ -214,7 +216,7 @@ fn a_camera_stream_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_f
         for (from, to) in warp_mesh.from_px.iter().zip(&warp_mesh.to_px) {
             assert!(from.cmpge(DVec2::ZERO).all() && to.cmpge(DVec2::ZERO).all() && from.x <= 640.0 && to.x <= 640.0);
             let on_edge = from.x == 0.0 || from.x == 640.0 || from.y == 0.0 || from.y == 480.0;
-            assert!(!on_edge || from == to, "the edge stays");
+            assert!(!on_edge || from == to, "the edge does not move");
         }
         let near = |place: DVec2| warp_mesh.from_px.iter().position(|from| from.distance(place) < 1e-6);
         let led = (0..LANDMARK_COUNT).filter_map(|vertex| near(places[vertex].truncate()));
@@ -224,7 +226,7 @@ fn a_camera_stream_is_laid_out_once_for_a_face_that_moves_and_stays_within_its_f
         let off = led.iter().map(|&at| (warp_mesh.to_px[at] - warp_mesh.from_px[at]).distance(DVec2::new(2.0, 1.0)));
         assert!(
             off.fold(0.0, f64::max) < 1e-6 && led.len() > 100,
-            "{} of the landmarks lead in step {step}",
+            "{} landmarks drive the warp in step {step}",
             led.len()
         );
     }

@@ -1,4 +1,4 @@
-//! A session as restless visitors use it, and as careful ones do.
+//! Property tests and scenarios of a session.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -7,7 +7,7 @@ mod faces;
 mod intents;
 mod invariants;
 mod live_preview;
+mod photo_lens;
 mod random;
 mod refusals;
-mod taken_from;
-mod walks;
+mod scenarios;

@@ -1,20 +1,20 @@
-//! What cannot be opened or done is refused with its reason, and leaves everything as it was.
+//! Invalid files and intents are refused with a reason and leave the session unchanged.
 
 use glam::{DVec2, DVec3};
 use rosto_face::{FaceError, MAX_DENSITY, Triangulation};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{
-    DENSEST_SHOWN, Incoming, Intent, MAX_OFFSET_M, MOST_ENTRIES, RADIUS_MM, Selection, Session, SessionError, Work,
+    Incoming, Intent, MAX_ENTRIES, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError, Work,
 };
 use rosto_stage::Light;
 use rosto_studio::project::ProjectError;
 use rosto_studio::{FaceSlider, StudioError, Switch};
 
-use crate::faces::{found, session, worked_on};
-use crate::invariants::{hold, hold_deeply, seen};
+use crate::faces::{detected, session, with_history};
+use crate::invariants::{check, check_thoroughly, seen};
 
-/// A session in which something was done, and something is being done.
-fn busy() -> Session {
+/// A session with a history and an edit in progress.
+fn edited_session() -> Session {
     let mut session = session();
     for intent in [
         Intent::Select(Some(Selection::Landmark(61))),
@@ -30,16 +30,16 @@ fn busy() -> Session {
     session
 }
 
-/// Why an intent is refused, after making sure that nothing else came of it and that all goes on.
+/// Reason for the refusal of an intent, after checking that the session is unchanged and usable.
 fn refusal(intent: Intent) -> SessionError {
-    let mut session = busy();
-    let before = (seen(&session), session.preferences(), session.under(), session.has_grabbed());
+    let mut session = edited_session();
+    let before = (seen(&session), session.preferences(), session.hovered(), session.has_grabbed());
     let refusal = session.apply(intent).unwrap_err();
-    assert!((seen(&session), session.preferences(), session.under(), session.has_grabbed()) == before, "{refusal}");
-    hold(&session).unwrap();
+    assert!((seen(&session), session.preferences(), session.hovered(), session.has_grabbed()) == before, "{refusal}");
+    check(&session).unwrap();
     session.apply(Intent::Commit).unwrap();
     assert_eq!(session.state().face.unwrap().entry_count, 2);
-    hold_deeply(&session).unwrap();
+    check_thoroughly(&session).unwrap();
     refusal
 }
 
@@ -47,12 +47,12 @@ fn refusal_to_open(incoming: Incoming) -> SessionError {
     refusal(Intent::Open(Box::new(incoming)))
 }
 
-/// Why work with that history is not opened.
+/// Reason for the refusal of a history.
 fn refusal_of(history: &str) -> SessionError {
-    refusal_to_open(worked_on(history, Triangulation::Canonical, 0))
+    refusal_to_open(with_history(history, Triangulation::Canonical, 0))
 }
 
-/// A history of entries; the first is fine.
+/// A history of a valid entry and the given ones.
 fn history(entries: &[String]) -> String {
     let fine = moved(0, 4, "[0, 0, 0.001]");
     let entries: Vec<&str> = [fine.as_str()].into_iter().chain(entries.iter().map(String::as_str)).collect();
@@ -68,9 +68,9 @@ fn moved(level: u32, vertex: u32, offset_m: &str) -> String {
 }
 
 #[test]
-fn the_history_that_the_refused_ones_differ_from_is_opened() {
-    let mut session = busy();
-    let fine = worked_on(&history(&[moved(0, 152, "[0, 0, 0.5]")]), Triangulation::Canonical, 0);
+fn the_valid_history_is_opened() {
+    let mut session = edited_session();
+    let fine = with_history(&history(&[moved(0, 152, "[0, 0, 0.5]")]), Triangulation::Canonical, 0);
     session.apply(Intent::Open(Box::new(fine))).unwrap();
     assert_eq!(session.state().face.unwrap().entry_count, 2);
 }
@@ -82,7 +82,7 @@ fn a_history_of_another_version_is_refused() {
 }
 
 #[test]
-fn offsets_that_are_no_numbers_are_refused() {
+fn invalid_offsets_are_refused() {
     for offset in ["null", "[null, null, null]", "[0, 0]", "[0, 0, \"far\"]", "[]"] {
         let missing = ProjectError::Field { entry: 1, field: "offsets" };
         assert_eq!(refusal_of(&history(&[moved(0, 152, offset)])), missing.into(), "{offset}");
@@ -90,7 +90,7 @@ fn offsets_that_are_no_numbers_are_refused() {
 }
 
 #[test]
-fn offsets_beyond_every_face_are_refused() {
+fn offsets_beyond_the_maximum_are_refused() {
     for offset in ["[0, 1e30, 0]", "[1e308, 1e308, 1e308]", "[0, 0, -0.5001]"] {
         match refusal_of(&history(&[moved(0, 152, offset)])) {
             SessionError::BadHistory { entry: 1, distance_m, most_m } => {
@@ -102,7 +102,7 @@ fn offsets_beyond_every_face_are_refused() {
 }
 
 #[test]
-fn an_offset_beyond_every_face_is_refused_of_each_handle_and_while_switched_off() {
+fn offsets_of_each_handle_are_checked_on_or_off() {
     let far = moved(0, 152, "[0, 0, 0], [0, 1e30, 0]").replace("[152]", "[152, 61]");
     for entry in [far.clone(), far.replace(r#""on""#, r#""off""#)] {
         assert!(matches!(refusal_of(&history(&[entry])), SessionError::BadHistory { entry: 1, .. }));
@@ -128,35 +128,35 @@ fn a_history_without_entries_is_refused() {
 }
 
 #[test]
-fn entries_for_meshes_that_there_are_not_are_refused() {
+fn entries_for_nonexistent_meshes_are_refused() {
     let unknown = |level, vertex| match refusal_of(&history(&[moved(level, vertex, "[0, 0, 0.001]")])) {
         SessionError::Studio(StudioError::Entry { index: 1, reason }) => *reason,
         other => panic!("level {level}, vertex {vertex}: {other}"),
     };
-    assert_eq!(unknown(5, 4), StudioError::TooDense { level: 5, most: MAX_DENSITY });
+    assert_eq!(unknown(5, 4), StudioError::TooDense { level: 5, max: MAX_DENSITY });
     for vertex in [468, 9_999] {
         assert_eq!(unknown(0, vertex), LaplacianError::NoSuchVertex { vertex, vertex_count: 468 }.into());
     }
 }
 
 #[test]
-fn landmarks_without_size_are_no_face() {
-    let nowhere = Incoming { landmarks: vec![[0.5; 3]; 468], ..found() };
+fn degenerate_landmarks_are_refused() {
+    let nowhere = Incoming { landmarks: vec![[0.5; 3]; 468], ..detected() };
     assert_eq!(refusal_to_open(nowhere.clone()), FaceError::Degenerate.into());
-    let worked_on = worked_on(&history(&[]), Triangulation::Canonical, 0);
-    assert_eq!(refusal_to_open(Incoming { work: worked_on.work, ..nowhere }), FaceError::Degenerate.into());
-    let mut infinite = found();
+    let with_history = with_history(&history(&[]), Triangulation::Canonical, 0);
+    assert_eq!(refusal_to_open(Incoming { work: with_history.work, ..nowhere }), FaceError::Degenerate.into());
+    let mut infinite = detected();
     infinite.landmarks[7][1] = f32::NAN;
     assert_eq!(refusal_to_open(infinite), FaceError::NotFinite { landmark: 7 }.into());
 }
 
 #[test]
-fn too_few_landmarks_or_colours_are_no_face() {
-    let mut few = found();
+fn missing_landmarks_or_colours_are_refused() {
+    let mut few = detected();
     few.landmarks.pop();
     let counted = |what| FaceError::WrongCount { what, expected: 468, found: 467 };
     assert_eq!(refusal_to_open(few), counted("landmarks").into());
-    let mut pale = found();
+    let mut pale = detected();
     pale.colours_srgb.pop();
     assert_eq!(refusal_to_open(pale), counted("colours").into());
 }
@@ -166,44 +166,44 @@ fn a_photo_without_area_is_refused() {
     for photo_size_px in [[0, 64], [64, 0], [0, 0]] {
         let [width, height] = photo_size_px;
         let empty = FaceError::EmptyPicture { width, height };
-        assert_eq!(refusal_to_open(Incoming { photo_size_px, ..found() }), empty.into());
+        assert_eq!(refusal_to_open(Incoming { photo_size_px, ..detected() }), empty.into());
     }
 }
 
 #[test]
-fn a_density_that_there_is_not_is_refused() {
+fn a_density_beyond_the_maximum_is_refused() {
     for density in [5, 9, u32::MAX] {
         let work = Work { triangulation: Triangulation::Canonical, density, history: history(&[]), photo: None };
-        let refusal = refusal_to_open(Incoming { work: Some(work), ..found() });
-        let (least, most) = (0.0, MAX_DENSITY.into());
-        assert_eq!(refusal, SessionError::OutOfRange { what: "the density", value: density.into(), least, most });
+        let refusal = refusal_to_open(Incoming { work: Some(work), ..detected() });
+        let (min, max) = (0.0, MAX_DENSITY.into());
+        assert_eq!(refusal, SessionError::OutOfRange { what: "the density", value: density.into(), min, max });
     }
 }
 
 #[test]
 fn a_history_that_is_too_long_is_refused() {
     let mirrored = r#"{"label": "a", "switch": "off", "symmetrise": {"share": 0.5}}"#.to_owned();
-    let long = history(&vec![mirrored; MOST_ENTRIES]);
-    let refused = SessionError::TooManyEntries { found: MOST_ENTRIES + 1, most: MOST_ENTRIES };
+    let long = history(&vec![mirrored; MAX_ENTRIES]);
+    let refused = SessionError::TooManyEntries { found: MAX_ENTRIES + 1, max: MAX_ENTRIES };
     assert_eq!(refusal_of(&long), refused);
 }
 
-/// The number that is refused, and between which it must lie.
+/// The refused number and its range.
 fn out_of_range(intent: Intent) -> (f64, [f64; 2]) {
     let asked = format!("{intent:?}");
     match refusal(intent) {
-        SessionError::OutOfRange { value, least, most, .. } => (value, [least, most]),
+        SessionError::OutOfRange { value, min, max, .. } => (value, [min, max]),
         other => panic!("{asked}: {other}"),
     }
 }
 
-/// Equal, or both no number.
+/// Equal, or both NaN.
 fn is_same(one: f64, other: f64) -> bool {
     one == other || (one.is_nan() && other.is_nan())
 }
 
 #[test]
-fn an_offset_further_than_any_hand_goes_is_refused() {
+fn previews_beyond_the_maximum_offset_are_refused() {
     for value in [501.0, -501.0, 1e308, f64::INFINITY, f64::NAN] {
         for axis in DVec3::AXES {
             let offset_mm = DVec3::select(axis.cmpgt(DVec3::ZERO), DVec3::splat(value), DVec3::ONE);
@@ -217,24 +217,24 @@ fn an_offset_further_than_any_hand_goes_is_refused() {
 fn a_radius_out_of_its_range_is_refused() {
     for value in [4.0, 121.0, -40.0, f64::NAN, f64::INFINITY] {
         let (refused, range) = out_of_range(Intent::Radius(value));
-        assert!(is_same(refused, value) && range == [RADIUS_MM.least, RADIUS_MM.most], "{value}");
+        assert!(is_same(refused, value) && range == [RADIUS_MM.min, RADIUS_MM.max], "{value}");
     }
     assert!(out_of_range(Intent::Widen(f64::NAN)).0.is_nan());
 }
 
 #[test]
-fn a_slider_goes_no_further_than_its_range() {
+fn slider_values_outside_the_range_are_refused() {
     for slider in FaceSlider::ALL {
-        let most_mm = slider.range_m() * 1000.0;
-        for value in [most_mm + 0.1, -most_mm - 0.1, f64::NAN, f64::INFINITY] {
-            let (refused, [least, most]) = out_of_range(Intent::Slide(slider, value));
-            assert!(is_same(refused, value) && (most - most_mm).abs() < 1e-6 && least == -most, "{slider:?}");
+        let max_mm = slider.range_m() * 1000.0;
+        for value in [max_mm + 0.1, -max_mm - 0.1, f64::NAN, f64::INFINITY] {
+            let (refused, [min, max]) = out_of_range(Intent::Slide(slider, value));
+            assert!(is_same(refused, value) && (max - max_mm).abs() < 1e-6 && min == -max, "{slider:?}");
         }
     }
 }
 
 #[test]
-fn shares_beyond_the_whole_are_refused() {
+fn shares_outside_0_to_1_are_refused() {
     for value in [1.5, -0.1, f64::NAN] {
         for intent in [Intent::Symmetrise(value), Intent::Before(value)] {
             let (refused, range) = out_of_range(intent);
@@ -244,14 +244,14 @@ fn shares_beyond_the_whole_are_refused() {
 }
 
 #[test]
-fn a_mesh_denser_than_any_on_the_screen_is_refused() {
+fn densities_beyond_the_screens_maximum_are_refused() {
     for density in [4, u32::MAX] {
-        assert_eq!(out_of_range(Intent::Density(density)), (density.into(), [0.0, DENSEST_SHOWN.into()]));
+        assert_eq!(out_of_range(Intent::Density(density)), (density.into(), [0.0, MAX_SHOWN_DENSITY.into()]));
     }
 }
 
 #[test]
-fn numbers_that_show_nothing_are_refused() {
+fn invalid_view_parameters_are_refused() {
     for intent in [
         Intent::Zoom(f64::NAN),
         Intent::Resize([800, 600], f64::NAN),
@@ -266,7 +266,7 @@ fn numbers_that_show_nothing_are_refused() {
 }
 
 #[test]
-fn vertices_that_there_are_not_are_refused() {
+fn nonexistent_vertices_are_refused() {
     let point = |level, vertex| Intent::Select(Some(Selection::Point { level, vertex }));
     for (intent, vertex, count) in [
         (Intent::Select(Some(Selection::Landmark(468))), 468, 468),
@@ -281,13 +281,13 @@ fn vertices_that_there_are_not_are_refused() {
 }
 
 #[test]
-fn entries_that_there_are_not_are_refused() {
+fn nonexistent_entries_are_refused() {
     let missing = StudioError::NoSuchEntry { index: 1, count: 1 };
     assert_eq!(refusal(Intent::Switch(1, Switch::Off)), missing.into());
 }
 
 #[test]
-fn without_a_face_nothing_is_edited_and_without_a_selection_nothing_is_pinned() {
+fn edits_need_a_face_and_pins_need_a_selection() {
     let mut session = Session::new(1);
     for intent in [
         Intent::Select(Some(Selection::Landmark(1))),
@@ -300,7 +300,7 @@ fn without_a_face_nothing_is_edited_and_without_a_selection_nothing_is_pinned() 
         assert_eq!(session.apply(intent), Err(SessionError::NoFace));
     }
     session.apply(Intent::Hover(Some(DVec2::splat(160.0)))).unwrap();
-    assert_eq!((session.under().vertex, session.state()), (None, Session::new(2).state()));
+    assert_eq!((session.hovered().vertex, session.state()), (None, Session::new(2).state()));
     let mut session = crate::faces::session();
     for intent in [Intent::Pin(Switch::On), Intent::ResetSelected] {
         assert_eq!(session.apply(intent), Err(SessionError::NothingSelected));

@@ -54,15 +54,15 @@ impl Document {
         if let Some(vertex) = repeated(&spec.handles) {
             return Err(LaplacianError::Repeated { vertex }.into());
         }
-        let (handles, most) = (spec.handles.len(), MAX_RESPONSES / vertex_count);
-        if handles > most { Err(StudioError::TooManyHandles { handles, most }) } else { Ok(()) }
+        let (handles, max) = (spec.handles.len(), MAX_RESPONSES / vertex_count);
+        if handles > max { Err(StudioError::TooManyHandles { handles, max }) } else { Ok(()) }
     }
 
     /// Number of vertices of the cage after `level` subdivisions. Each adds a vertex per edge; the next edges are the
     /// halves of the edges and three inside each triangle.
     pub(super) fn vertices_at(&self, level: u32) -> Result<usize, StudioError> {
         if level > MAX_DENSITY {
-            return Err(StudioError::TooDense { level, most: MAX_DENSITY });
+            return Err(StudioError::TooDense { level, max: MAX_DENSITY });
         }
         let cage = self.levels[0].topology();
         let (mut vertices, mut edges, mut triangles) =

@@ -90,7 +90,7 @@ impl Document {
     }
 
     /// Switches off each expression, as one change. Returns the index of the first that was on.
-    pub fn come_to_rest(&mut self) -> Option<usize> {
+    pub fn reset_expressions(&mut self) -> Option<usize> {
         self.switch_where(|_, entry| matches!(entry.command, Command::Express { .. }), Switch::Off)
     }
 

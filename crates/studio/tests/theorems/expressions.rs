@@ -204,7 +204,7 @@ fn both_sides_are_one_change_and_so_is_a_reset() {
     document.apply("nose", single_move(4, DVec3::Z * 0.01)).unwrap();
     let smiling = bits(document.committed());
     assert_eq!(document.history().entries().len(), 3);
-    assert_eq!(document.come_to_rest(), Some(0));
+    assert_eq!(document.reset_expressions(), Some(0));
     let mut alone = Document::new(portrait(Triangulation::Tessellation)).unwrap();
     alone.apply("nose", single_move(4, DVec3::Z * 0.01)).unwrap();
     assert_eq!(bits(document.committed()), bits(alone.committed()));

@@ -96,7 +96,7 @@ fn invalid_entries_are_refused_on_or_off() {
         }
     }
     let dense = Document::open(canonical(Triangulation::Canonical), Vec::new(), MAX_DENSITY + 1);
-    assert!(matches!(dense, Err(StudioError::TooDense { level: 5, most: 4 })));
+    assert!(matches!(dense, Err(StudioError::TooDense { level: 5, max: 4 })));
 }
 
 #[test]

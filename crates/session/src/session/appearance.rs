@@ -4,11 +4,11 @@ use super::{Result, Session};
 use crate::error::{bounded_factor, within};
 use crate::{Changed, Intent, Motion, SessionError, Turntable};
 
-/// How things look.
+/// Appearance.
 impl Session {
-    /// What changes only how things look.
+    /// Applies intents that change only the appearance.
     pub(super) fn see(&mut self, intent: Intent) -> Result {
-        // Distortion is worked out with each tick, and only while it is painted.
+        // Stretch is computed with each tick, and only while it is displayed.
         let begins = intent == Intent::Shading(ShadingMode::Distortion);
         let marks_change = matches!(intent, Intent::Before(_) | Intent::Wipe(_) | Intent::MarkAnchors(_));
         let mut left = Changed::Nothing;

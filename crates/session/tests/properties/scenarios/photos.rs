@@ -1,4 +1,4 @@
-//! Further photos of the face that is open.
+//! Further photos of an open face.
 
 use glam::{DQuat, DVec3};
 use rosto_face::{FaceError, MAX_PHOTOS, PhotoLens, Turn};
@@ -6,12 +6,12 @@ use rosto_session::{Changed, FurtherPhoto, Incoming, Intent, Selection, SessionE
 use rosto_studio::Switch;
 
 use super::{act, face, positions, select};
-use crate::faces::{found, open, session};
+use crate::faces::{detected, open, session};
 
-/// The same head turned by so many degrees to its left, as a camera far away sees it.
+/// The head turned to its left by an angle, as seen by a distant camera.
 fn turned(by_deg: f64) -> FurtherPhoto {
     let turn = DQuat::from_rotation_y(by_deg.to_radians());
-    let usual = found();
+    let usual = detected();
     let landmarks = usual.landmarks.iter().map(|place| {
         let [x, y, z] = place.map(f64::from);
         let place = turn * DVec3::new(x - 0.5, 0.5 - y, -z);
@@ -30,13 +30,13 @@ fn add(by_deg: f64) -> Intent {
     Intent::AddPhoto(Box::new(turned(by_deg)))
 }
 
-/// As [`Incoming`] has them all at once.
+/// A face opened with further photos.
 fn with_further(further: Vec<FurtherPhoto>) -> Incoming {
-    Incoming { further, ..found() }
+    Incoming { further, ..detected() }
 }
 
 #[test]
-fn photos_are_added_and_taken_away_and_the_edits_stay() {
+fn adding_and_removing_photos_retains_edits() {
     let mut session = session();
     let alone = positions(&session);
     select(&mut session, Selection::Landmark(4));
@@ -55,7 +55,7 @@ fn photos_are_added_and_taken_away_and_the_edits_stay() {
     );
     assert!(facts[0].leads && facts.iter().all(|of| of.adds));
     assert_eq!(face(&session).document().history().entries().len(), 1);
-    // What was done can be undone, and is the same beside the face as all photos have it.
+    // The edits can be undone and equal those of a face opened with all photos.
     let together = positions(&session);
     act(&mut session, Intent::Undo);
     let mut opened = session_of(with_further(vec![turned(30.0), turned(-30.0)]));
@@ -78,7 +78,7 @@ fn session_of(incoming: Incoming) -> rosto_session::Session {
 }
 
 #[test]
-fn a_photo_from_where_there_is_one_says_that_it_adds_nothing() {
+fn a_photo_of_an_existing_turn_adds_nothing() {
     let mut session = session();
     act(&mut session, add(30.0));
     act(&mut session, add(35.0));
@@ -86,22 +86,22 @@ fn a_photo_from_where_there_is_one_says_that_it_adds_nothing() {
 }
 
 #[test]
-fn the_photo_that_looks_at_the_camera_leads_whenever_it_comes() {
-    let mut session = session_of(Incoming { landmarks: turned(30.0).landmarks, ..found() });
+fn the_frontal_photo_leads() {
+    let mut session = session_of(Incoming { landmarks: turned(30.0).landmarks, ..detected() });
     act(&mut session, Intent::SeenFrom(Some(1.0)));
     act(&mut session, add(0.0));
     assert_eq!(face(&session).photos().iter().map(|of| of.leads).collect::<Vec<_>>(), [false, true]);
-    assert_eq!(face(&session).model().landmarks(), found().landmarks);
-    assert_eq!(face(&session).photo().seen_from_m(), None, "that was said of another photo");
+    assert_eq!(face(&session).model().landmarks(), detected().landmarks);
+    assert_eq!(face(&session).photo().seen_from_m(), None, "the distance belongs to another photo");
     act(&mut session, Intent::RemovePhoto(1));
     assert!(face(&session).photos()[0].yaw_deg > 20.0);
-    assert_eq!(face(&session).photo().seen_from_m(), Some(1.0), "what was said of a photo comes back with it");
+    assert_eq!(face(&session).photo().seen_from_m(), Some(1.0), "the distance is restored with its photo");
     act(&mut session, add(0.0));
     assert_eq!(face(&session).photo().seen_from_m(), None);
 }
 
 #[test]
-fn what_cannot_be_added_or_taken_away_changes_nothing() {
+fn invalid_photo_changes_are_refused() {
     let mut session = session();
     act(&mut session, add(30.0));
     let before = positions(&session);
@@ -119,7 +119,7 @@ fn what_cannot_be_added_or_taken_away_changes_nothing() {
     let mut full = session_of(with_further(vec![turned(30.0); MAX_PHOTOS - 1]));
     let most = FaceError::PhotoCount { found: MAX_PHOTOS + 1, most: MAX_PHOTOS };
     assert_eq!(full.apply(add(-30.0)), Err(most.into()));
-    let mut alone = session_of(found());
+    let mut alone = session_of(detected());
     let last = FaceError::PhotoCount { found: 0, most: MAX_PHOTOS };
     assert_eq!(alone.apply(Intent::RemovePhoto(0)), Err(last.into()));
 }

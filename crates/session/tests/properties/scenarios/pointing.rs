@@ -4,9 +4,9 @@ use rosto_session::{Changed, Intent, Pace, SLIDER_MM, Selection, SelectionMode, 
 use rosto_stage::{Pointer, ShadingMode, Visibility};
 use rosto_studio::{FaceSlider, Switch};
 
-use super::{act, face, place_px, positions, select, state, way_mm};
-use crate::faces::{SIZE_PX, found, session};
-use crate::invariants::{hold, shape};
+use super::{act, displacement_mm, face, position_px, positions, select, state};
+use crate::faces::{SIZE_PX, detected, session};
+use crate::invariants::{check, shape};
 use rosto_session::Motion;
 
 const MOUTH_CORNER: u32 = 61;
@@ -18,30 +18,30 @@ fn drag(session: &mut Session, to_px: DVec2) -> Changed {
 }
 
 #[test]
-fn what_is_dragged_is_under_the_pointer_and_is_one_entry() {
+fn a_drag_follows_the_pointer_and_is_one_entry() {
     let mut session = session();
     let rest = shape(&session);
     for (count, vertex) in [(1, MOUTH_CORNER), (2, 205), (3, 334)] {
         let before = shape(&session);
-        let from = place_px(&session, vertex);
+        let from = position_px(&session, vertex);
         assert_eq!(act(&mut session, Intent::Hover(Some(from))), Changed::View);
-        assert_eq!(session.under().vertex, Some(vertex));
+        assert_eq!(session.hovered().vertex, Some(vertex));
         act(&mut session, Intent::Press(from, Pointer::Fine));
         assert!(session.has_grabbed() && !session.is_dragging());
-        assert_ne!(face(&session).selected(), Some(vertex), "a press alone selects nothing");
+        assert_ne!(face(&session).selected(), Some(vertex), "a press without a drag selects nothing");
         assert_eq!(drag(&mut session, from + BY_PX * 0.5), Changed::Document);
         assert_eq!(drag(&mut session, from + BY_PX), Changed::Tick);
         assert!(session.is_dragging() && session.tick().is_editing);
         assert_eq!(face(&session).selection(), Some(Selection::Landmark(vertex)));
-        let now = place_px(&session, vertex);
+        let now = position_px(&session, vertex);
         assert!(now.distance(from + BY_PX) < 1e-6, "{vertex} is at {now}");
-        assert_eq!(shape(&session), before, "nothing is kept before the pointer is let go");
+        assert_eq!(shape(&session), before, "nothing is committed before the release");
         assert_eq!(act(&mut session, Intent::Release), Changed::Document);
         assert!(!session.has_grabbed() && !session.tick().is_editing);
         assert_eq!(state(&session).entry_count, count);
-        assert!(place_px(&session, vertex).distance(from + BY_PX) < 1e-6);
+        assert!(position_px(&session, vertex).distance(from + BY_PX) < 1e-6);
         assert_eq!(drag(&mut session, from), Changed::Nothing);
-        hold(&session).unwrap();
+        check(&session).unwrap();
     }
     for _ in 0..3 {
         act(&mut session, Intent::Undo);
@@ -50,15 +50,15 @@ fn what_is_dragged_is_under_the_pointer_and_is_one_entry() {
 }
 
 #[test]
-fn what_is_put_back_in_a_drag_stays_for_the_rest_of_the_press() {
+fn a_cancelled_drag_ignores_the_rest_of_the_press() {
     let mut session = session();
-    let (before, from) = (positions(&session), place_px(&session, MOUTH_CORNER));
+    let (before, from) = (positions(&session), position_px(&session, MOUTH_CORNER));
     act(&mut session, Intent::Press(from, Pointer::Fine));
     drag(&mut session, from + BY_PX);
     assert_ne!(positions(&session), before);
     assert_eq!(act(&mut session, Intent::Cancel), Changed::Document);
     assert_eq!(positions(&session), before);
-    assert!(session.has_grabbed() && !session.is_dragging(), "nor does the rest of the press turn the face");
+    assert!(session.has_grabbed() && !session.is_dragging(), "the rest of the press does not orbit the view");
     assert_eq!(drag(&mut session, from + 2.0 * BY_PX), Changed::Nothing);
     assert_eq!(act(&mut session, Intent::Release), Changed::Nothing);
     assert_eq!((positions(&session), state(&session).entry_count), (before, 0));
@@ -70,25 +70,25 @@ fn what_is_put_back_in_a_drag_stays_for_the_rest_of_the_press() {
 }
 
 #[test]
-fn a_finger_takes_what_is_selected_from_further_away_than_a_mouse() {
+fn touch_grabs_the_selection_from_farther_away_than_a_mouse() {
     for (pointer, taken) in [(Pointer::Fine, 334), (Pointer::Coarse, MOUTH_CORNER)] {
         let mut session = session();
         select(&mut session, Selection::Landmark(MOUTH_CORNER));
-        let ring = place_px(&session, MOUTH_CORNER);
-        // Clear of the gizmo's arms, which point right and up.
+        let ring = position_px(&session, MOUTH_CORNER);
+        // Away from the gizmo's axes, which point right and up.
         act(&mut session, Intent::Press(ring + DVec2::new(-18.0, 18.0), pointer));
         drag(&mut session, ring + BY_PX);
-        let is_kept = face(&session).selected() == Some(MOUTH_CORNER);
-        assert_eq!(is_kept, taken == MOUTH_CORNER, "{:?}", face(&session).selected());
+        let is_selected = face(&session).selected() == Some(MOUTH_CORNER);
+        assert_eq!(is_selected, taken == MOUTH_CORNER, "{:?}", face(&session).selected());
         act(&mut session, Intent::Release);
-        let far = place_px(&session, 334);
+        let far = position_px(&session, 334);
         act(&mut session, Intent::Press(far, pointer));
         drag(&mut session, far + BY_PX);
-        assert_eq!(face(&session).selected(), Some(334), "what is not selected is taken as well");
+        assert_eq!(face(&session).selected(), Some(334), "an unselected point can be grabbed");
     }
 }
 
-/// Every place of a grid over the canvas.
+/// Positions of a grid over the canvas.
 fn grid_px() -> impl Iterator<Item = DVec2> {
     let size_px = glam::UVec2::from(SIZE_PX).as_dvec2();
     (0..23).flat_map(move |row| {
@@ -96,16 +96,16 @@ fn grid_px() -> impl Iterator<Item = DVec2> {
     })
 }
 
-/// Whether a drag from a place where something lights up moves just that, as one entry; none where nothing lights up.
-fn is_taken(session: &mut Session, place_px: DVec2, pointer: Pointer) -> Option<bool> {
-    act(session, Intent::Hover(Some(place_px)));
-    let hovered = session.under().vertex;
-    act(session, Intent::Press(place_px, pointer));
-    let lit = session.under().vertex;
+/// Whether a drag moves the highlighted selection, as one entry; `None` if nothing is highlighted.
+fn is_grabbed(session: &mut Session, position_px: DVec2, pointer: Pointer) -> Option<bool> {
+    act(session, Intent::Hover(Some(position_px)));
+    let hovered = session.hovered().vertex;
+    act(session, Intent::Press(position_px, pointer));
+    let lit = session.hovered().vertex;
     assert!(pointer == Pointer::Coarse || lit == hovered);
     assert_eq!(session.has_grabbed(), lit.is_some(), "{place_px}");
     let vertex = lit?;
-    drag(session, place_px + DVec2::new(14.0, 11.0));
+    drag(session, position_px + DVec2::new(14.0, 11.0));
     let moved = face(session).selection().map(Selection::handles).unwrap_or_default();
     act(session, Intent::Release);
     let is_one_entry = state(session).entry_count == 1;
@@ -114,7 +114,7 @@ fn is_taken(session: &mut Session, place_px: DVec2, pointer: Pointer) -> Option<
 }
 
 #[test]
-fn what_lights_up_is_what_a_press_takes_in_every_mode() {
+fn a_press_grabs_what_is_highlighted_in_each_mode() {
     for (mode, density) in [
         (SelectionMode::Landmark, 0),
         (SelectionMode::Landmark, 1),
@@ -126,9 +126,9 @@ fn what_lights_up_is_what_a_press_takes_in_every_mode() {
             act(&mut session, Intent::Density(density));
             act(&mut session, Intent::Mode(mode));
             let mut lit_count = 0;
-            for place_px in grid_px() {
-                let Some(is_taken) = is_taken(&mut session, place_px, pointer) else { continue };
-                assert!(is_taken, "{mode:?} at {density}, {pointer:?}, {place_px}");
+            for position_px in grid_px() {
+                let Some(is_grabbed) = is_grabbed(&mut session, position_px, pointer) else { continue };
+                assert!(is_grabbed, "{mode:?} at {density}, {pointer:?}, {place_px}");
                 lit_count += 1;
             }
             assert!(lit_count > 100, "{lit_count} of {}", grid_px().count());
@@ -137,16 +137,16 @@ fn what_lights_up_is_what_a_press_takes_in_every_mode() {
 }
 
 #[test]
-fn on_a_denser_mesh_what_is_shown_of_a_landmark_is_under_the_pointer_all_the_same() {
+fn a_landmark_of_a_denser_mesh_follows_the_pointer() {
     for density in 1..=3 {
         let mut session = session();
         act(&mut session, Intent::Density(density));
         for vertex in [NOSE_TIP, MOUTH_CORNER, 334] {
-            let from = place_px(&session, vertex);
+            let from = position_px(&session, vertex);
             act(&mut session, Intent::Press(from, Pointer::Fine));
             drag(&mut session, from + BY_PX);
             drag(&mut session, from + BY_PX * 1.5);
-            let off_px = place_px(&session, vertex).distance(from + BY_PX * 1.5);
+            let off_px = position_px(&session, vertex).distance(from + BY_PX * 1.5);
             assert!(off_px < 1.0, "{vertex} at {density} is {off_px} px away");
             act(&mut session, Intent::Cancel);
             act(&mut session, Intent::Release);
@@ -155,30 +155,30 @@ fn on_a_denser_mesh_what_is_shown_of_a_landmark_is_under_the_pointer_all_the_sam
 }
 
 #[test]
-fn a_midline_point_is_never_dead_under_the_hand() {
+fn a_midline_point_can_be_dragged_sideways() {
     let mut session = session();
-    let from = place_px(&session, NOSE_TIP);
+    let from = position_px(&session, NOSE_TIP);
     act(&mut session, Intent::Press(from, Pointer::Fine));
     let before = positions(&session);
     drag(&mut session, from + DVec2::new(4.0, -40.0));
-    assert!(!state(&session).leaves_plane, "a hand that goes up is not quite straight");
-    assert!(way_mm(&session, &before, NOSE_TIP).x.abs() < 1e-9);
+    assert!(!state(&session).leaves_plane, "small sideways movements are ignored");
+    assert!(displacement_mm(&session, &before, NOSE_TIP).x.abs() < 1e-9);
     assert_eq!(drag(&mut session, from + DVec2::new(40.0, -3.0)), Changed::Document);
     assert!(state(&session).leaves_plane);
-    assert!(place_px(&session, NOSE_TIP).distance(from + DVec2::new(40.0, -3.0)) < 1e-6);
+    assert!(position_px(&session, NOSE_TIP).distance(from + DVec2::new(40.0, -3.0)) < 1e-6);
     assert_eq!(drag(&mut session, from + DVec2::new(2.0, 30.0)), Changed::Document);
-    assert!(!state(&session).leaves_plane && way_mm(&session, &before, NOSE_TIP).x.abs() < 1e-9);
+    assert!(!state(&session).leaves_plane && displacement_mm(&session, &before, NOSE_TIP).x.abs() < 1e-9);
     drag(&mut session, from + DVec2::new(40.0, 0.0));
     act(&mut session, Intent::Release);
     assert_eq!(state(&session).entry_count, 1);
-    assert!(way_mm(&session, &before, NOSE_TIP).x > 1.0);
-    assert!(!state(&session).leaves_plane && state(&session).lies_in_plane, "the next edit is in the plane again");
+    assert!(displacement_mm(&session, &before, NOSE_TIP).x > 1.0);
+    assert!(!state(&session).leaves_plane && state(&session).lies_in_plane, "the next edit starts in the plane");
     act(&mut session, Intent::Undo);
     assert_eq!(positions(&session), before);
 }
 
 #[test]
-fn an_edit_that_moves_nothing_is_none() {
+fn an_edit_that_moves_nothing_adds_no_entry() {
     let mut session = session();
     select(&mut session, Selection::Landmark(MOUTH_CORNER));
     for offset_mm in [DVec3::ZERO, DVec3::splat(1e-8)] {
@@ -189,32 +189,35 @@ fn an_edit_that_moves_nothing_is_none() {
     act(&mut session, Intent::Symmetrise(1.0));
     for share in [1.0, 0.5, 0.0] {
         act(&mut session, Intent::Symmetrise(share));
-        assert_eq!(state(&session).entry_count, 1, "both sides are mirror images already");
+        assert_eq!(state(&session).entry_count, 1, "both sides are symmetric already");
     }
 }
 
 #[test]
-fn a_drag_ends_where_the_sliders_do_and_says_so() {
+fn a_drag_stops_at_the_sliders_range_and_reports_it() {
     let mut session = session();
-    let from = place_px(&session, MOUTH_CORNER);
+    let from = position_px(&session, MOUTH_CORNER);
     act(&mut session, Intent::Press(from, Pointer::Fine));
     drag(&mut session, from + DVec2::new(0.0, 60.0));
     assert!(!session.tick().is_at_end);
     drag(&mut session, from + DVec2::new(0.0, 4_000.0));
     assert!(session.tick().is_at_end);
-    assert!((session.tick().offset_mm.y - SLIDER_MM.least).abs() < 1e-9, "{}", session.tick().offset_mm);
+    assert!((session.tick().offset_mm.y - SLIDER_MM.min).abs() < 1e-9, "{}", session.tick().offset_mm);
     act(&mut session, Intent::Release);
     assert!(!session.tick().is_at_end);
-    let from = place_px(&session, MOUTH_CORNER);
+    let from = position_px(&session, MOUTH_CORNER);
     act(&mut session, Intent::Press(from, Pointer::Fine));
     drag(&mut session, from + DVec2::new(0.0, 50.0));
-    assert!(session.tick().is_at_end && session.tick().offset_mm.y.abs() < 1e-9, "both edits count");
+    assert!(
+        session.tick().is_at_end && session.tick().offset_mm.y.abs() < 1e-9,
+        "the range applies to the sum of both edits"
+    );
     act(&mut session, Intent::Release);
     assert_eq!(state(&session).entry_count, 1);
 }
 
 #[test]
-fn pulling_the_nose_leaves_eyelids_and_teeth_alone() {
+fn moving_the_nose_leaves_eyelids_and_mouth_in_place() {
     let lids = [Region::RightUpperEyelid, Region::LeftUpperEyelid, Region::RightLowerEyelid, Region::LeftLowerEyelid];
     let inner_lips = [13, 14, 78, 308, 82, 312, 87, 317];
     let far: Vec<u32> = lids.iter().flat_map(|lid| lid.vertices()).chain(inner_lips).collect();
@@ -226,42 +229,45 @@ fn pulling_the_nose_leaves_eyelids_and_teeth_alone() {
             select(&mut session, selection);
             let before = positions(&session);
             act(&mut session, Intent::Preview(offset_mm));
-            assert!(way_mm(&session, &before, NOSE_TIP).length() > 11.9);
+            assert!(displacement_mm(&session, &before, NOSE_TIP).length() > 11.9);
             for &vertex in &far {
-                let way_mm = way_mm(&session, &before, vertex);
-                assert!(way_mm.length() < 0.05, "{selection:?} by {offset_mm} moves {vertex} by {way_mm}");
+                let displacement_mm = displacement_mm(&session, &before, vertex);
+                assert!(displacement_mm.length() < 0.05, "{selection:?} by {offset_mm} moves {vertex} by {way_mm}");
             }
         }
     }
 }
 
 #[test]
-fn a_point_of_the_outline_takes_its_neighbours_along_and_leaves_the_rest_of_it() {
+fn a_point_of_the_outline_moves_its_neighbours_and_not_the_rest() {
     const CHIN_TIP: u32 = 152;
     let (beside, far) = ([148, 377], [10, 234, 454]);
     let mut session = session();
     select(&mut session, Selection::Landmark(CHIN_TIP));
     let before = positions(&session);
     act(&mut session, Intent::Preview(DVec3::NEG_Y * 8.0));
-    let way_mm = |vertex: u32| way_mm(&session, &before, vertex).length();
-    assert!((way_mm(CHIN_TIP) - 8.0).abs() < 1e-9);
+    let displacement_mm = |vertex: u32| displacement_mm(&session, &before, vertex).length();
+    assert!((displacement_mm(CHIN_TIP) - 8.0).abs() < 1e-9);
     for vertex in beside {
-        assert!((1.5..8.0).contains(&way_mm(vertex)), "{vertex} goes along by {} mm: a spike", way_mm(vertex));
+        assert!((1.5..8.0).contains(&displacement_mm(vertex)), "{vertex} moves by {} mm", displacement_mm(vertex));
     }
-    assert!(far.iter().all(|&vertex| way_mm(vertex) < 1e-9));
+    assert!(far.iter().all(|&vertex| displacement_mm(vertex) < 1e-9));
     act(&mut session, Intent::Cancel);
     select(&mut session, Selection::Landmark(199));
-    assert!(face(&session).document().anchors().contains(&CHIN_TIP), "the outline stays while another point moves");
+    assert!(
+        face(&session).document().anchors().contains(&CHIN_TIP),
+        "the outline is anchored while another point moves"
+    );
 }
 
 #[test]
-fn a_face_that_has_grown_is_framed_again_when_it_is_let_go() {
+fn a_face_that_has_grown_is_framed_again_after_the_release() {
     let mut session = session();
     let radius_m = |session: &Session| session.stage().camera().radius_m();
     let usual_m = radius_m(&session);
     select(&mut session, Selection::Landmark(152));
     act(&mut session, Intent::Preview(DVec3::NEG_Y * 40.0));
-    assert_eq!(radius_m(&session), usual_m, "nothing glides under a hand");
+    assert_eq!(radius_m(&session), usual_m, "the view does not move during a drag");
     act(&mut session, Intent::Commit);
     assert!(radius_m(&session) > 1.1 * usual_m, "{} and {usual_m}", radius_m(&session));
     act(&mut session, Intent::Undo);
@@ -269,14 +275,14 @@ fn a_face_that_has_grown_is_framed_again_when_it_is_let_go() {
 }
 
 #[test]
-fn what_is_kept_as_a_picture_or_compared_is_the_face_alone() {
+fn pictures_and_comparisons_have_no_marks() {
     let mut session = session();
     select(&mut session, Selection::Landmark(MOUTH_CORNER));
     act(&mut session, Intent::Pin(Switch::On));
     act(&mut session, Intent::MarkAnchors(Switch::On));
     let marks = |session: &Session| session.stage().mark_words().len();
     let all = marks(&session);
-    assert!(all > 30, "ring, pin, letters and the outline: {all}");
+    assert!(all > 30, "ring, pin, letters and outline: {all}");
     let clean = session.stage().without_tools();
     assert!(clean.mark_words().is_empty() && clean.gizmo().is_none());
     act(&mut session, Intent::MarkAnchors(Switch::Off));
@@ -288,13 +294,13 @@ fn what_is_kept_as_a_picture_or_compared_is_the_face_alone() {
         assert!(marks(&session) > 0);
     }
     act(&mut session, Intent::Wipe(Some(0.4)));
-    act(&mut session, Intent::Open(Box::new(found())));
+    act(&mut session, Intent::Open(Box::new(detected())));
     let settings = session.stage().render_settings();
     assert_eq!((settings.before, settings.wipe, face(&session).selection()), (0.0, None, None));
 }
 
 #[test]
-fn the_reach_of_an_edit_and_the_plane_are_drawn_while_it_goes_on() {
+fn the_rim_and_the_mirror_plane_are_drawn_during_an_edit() {
     let mut session = session();
     let drawn = |session: &Session| {
         let settings = session.stage().render_settings();
@@ -305,14 +311,17 @@ fn the_reach_of_an_edit_and_the_plane_are_drawn_while_it_goes_on() {
     act(&mut session, Intent::Preview(DVec3::Z));
     assert_eq!(drawn(&session), (true, true));
     let distances = face(&session).document().influence_distances().unwrap();
-    let way_mm: Vec<f64> =
-        (0..468).map(|v| way_mm(&session, face(&session).document().committed(), v).length()).collect();
+    let displacement_mm: Vec<f64> =
+        (0..468).map(|v| displacement_mm(&session, face(&session).document().committed(), v).length()).collect();
     assert!(
         distances[NOSE_TIP as usize] == 0.0
-            && distances.iter().zip(&way_mm).all(|(distance, way)| *distance < 1.0 || *way < 1e-6)
+            && distances
+                .iter()
+                .zip(&displacement_mm)
+                .all(|(distance, displacement)| *distance < 1.0 || *displacement < 1e-6)
     );
     act(&mut session, Intent::Preview(DVec3::X));
-    assert_eq!(drawn(&session), (true, false), "sideways it goes alone");
+    assert_eq!(drawn(&session), (true, false), "sideways the mirror is off");
     act(&mut session, Intent::Nearby(Switch::Off));
     assert_eq!(drawn(&session), (false, false));
     act(&mut session, Intent::Commit);
@@ -323,14 +332,14 @@ fn the_reach_of_an_edit_and_the_plane_are_drawn_while_it_goes_on() {
 }
 
 #[test]
-fn what_has_changed_is_told_no_further_than_it_has() {
+fn changes_are_reported_at_their_extent() {
     let mut session = Session::new(1);
     act(&mut session, Intent::Motion(Motion::Reduced));
     for nothing in [Intent::Preview(DVec3::Z), Intent::Commit, Intent::Undo, Intent::Release] {
         assert_eq!(act(&mut session, nothing), Changed::Nothing);
     }
     for (intent, changed) in [
-        (Intent::Open(Box::new(found())), Changed::Mesh),
+        (Intent::Open(Box::new(detected())), Changed::Mesh),
         (Intent::Select(Some(Selection::Landmark(MOUTH_CORNER))), Changed::Document),
         (Intent::Preview(DVec3::Z), Changed::Tick),
         (Intent::Commit, Changed::Document),

@@ -1,4 +1,4 @@
-//! The distance that a photo was taken from, changed while the face is open.
+//! Changing the photo's distance while the face is open.
 
 use glam::DVec3;
 use rosto_face::{Measure, PhotoLens};
@@ -19,15 +19,15 @@ fn nose_moved() -> Session {
 }
 
 #[test]
-fn the_model_follows_its_edits_are_made_again_and_the_way_back_leads_to_the_same_face() {
+fn another_lens_rebuilds_the_model_and_is_reversible() {
     let mut session = nose_moved();
     let before = positions(&session);
     assert_eq!(session.apply(Intent::PhotoLens(PhotoLens::Distance(0.3))), Ok(Changed::Mesh));
     let face = session.face().unwrap();
     let (edited, found) = (face.document().positions(), face.document().rest());
-    assert!((edited[1].z - found[1].z - 0.005).abs() < 2e-4, "the nose is as far out as before");
+    assert!((edited[1].z - found[1].z - 0.005).abs() < 2e-4, "the edit of the nose is reapplied");
     let width = |positions: &[DVec3]| Measure::FaceWidth.of(positions);
-    assert!(width(found) > 1.02 * width(&before), "what is behind was seen smaller than it is");
+    assert!(width(found) > 1.02 * width(&before), "perspective had made the parts behind the nose smaller");
     assert!((face.model().camera().distance_m - 0.3).abs() < 0.003);
     assert_eq!(session.state().face.unwrap().entry_count, 1);
     session.apply(Intent::PhotoLens(PhotoLens::Parallel)).unwrap();
@@ -35,7 +35,7 @@ fn the_model_follows_its_edits_are_made_again_and_the_way_back_leads_to_the_same
 }
 
 #[test]
-fn an_edit_in_progress_is_kept_first_and_the_selection_stays() {
+fn another_lens_commits_the_edit_in_progress() {
     let mut session = session();
     session.apply(Intent::SelectAt(1)).unwrap();
     session.apply(Intent::Preview(DVec3::new(0.0, 3.0, 0.0))).unwrap();
@@ -49,7 +49,7 @@ fn an_edit_in_progress_is_kept_first_and_the_selection_stays() {
 }
 
 #[test]
-fn what_no_camera_is_and_a_session_without_a_face_are_refused() {
+fn invalid_lenses_and_a_missing_face_are_refused() {
     let mut session = nose_moved();
     let before = bits(&positions(&session));
     assert!(session.apply(Intent::PhotoLens(PhotoLens::Distance(f64::NAN))).is_err());
@@ -59,7 +59,7 @@ fn what_no_camera_is_and_a_session_without_a_face_are_refused() {
 }
 
 #[test]
-fn the_tape_measures_straight_and_along_the_skin() {
+fn distances_are_measured_straight_and_along_the_surface() {
     let session = session();
     let face = session.face().unwrap();
     let [straight, along] = face.measured_mm(61, 291).unwrap();

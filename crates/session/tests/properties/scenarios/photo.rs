@@ -4,74 +4,74 @@ use rosto_session::{BRUSH_PX, Changed, Incoming, Intent, Pace, Selection, Sessio
 use rosto_stage::{NamedView, Pointer, Scene};
 use rosto_studio::FaceSlider;
 
-use super::{act, face, move_by, place_px, positions, select, state};
-use crate::faces::{found, open, session};
-use crate::invariants::{hold, seen, shape};
+use super::{act, face, move_by, position_px, positions, select, state};
+use crate::faces::{detected, open, session};
+use crate::invariants::{check, seen, shape};
 
 const NOSE_TIP: u32 = 4;
 const MOUTH_CORNER: u32 = 61;
-/// Landmarks that the photo shows: nose, brows, mouth, chin.
-const IN_SIGHT: [u32; 6] = [4, 105, 334, 61, 291, 199];
+/// Landmarks visible in the photo: nose, brows, mouth, chin.
+const VISIBLE: [u32; 6] = [4, 105, 334, 61, 291, 199];
 
-/// The photo on the stage, taken from half a metre.
+/// The photo on the stage, taken from a distance of 0.5 m.
 fn photo() -> Session {
     let mut session = session();
-    open(&mut session, Incoming { lens: PhotoLens::Distance(0.5), photo_size_px: [640, 640], ..found() });
+    open(&mut session, Incoming { lens: PhotoLens::Distance(0.5), photo_size_px: [640, 640], ..detected() });
     act(&mut session, Intent::Scene(Scene::Picture));
     session.stage_mut().advance(0.0);
     session
 }
 
-/// Where in the photo, in its px, a landmark was found.
+/// Detected position of a landmark, in px of the photo.
 fn found_px(session: &Session, landmark: u32) -> DVec2 {
     let [x, y, _] = face(session).model().landmarks()[landmark as usize];
     DVec2::new(f64::from(x), f64::from(y)) * DVec2::from(face(session).model().photo_size_px().map(f64::from))
 }
 
 #[test]
-fn on_the_photo_the_mesh_lies_where_its_landmarks_were_found() {
+fn the_mesh_lies_on_the_detected_landmarks() {
     let session = photo();
     for landmark in (0..468).filter(|landmark| !crowded_landmarks().contains(landmark)) {
-        let seen_px = session.stage().picture_px(place_px(&session, landmark)).unwrap();
+        let seen_px = session.stage().picture_px(position_px(&session, landmark)).unwrap();
         assert!(seen_px.distance(found_px(&session, landmark)) < 1e-6, "{landmark}: {seen_px}");
     }
 }
 
 #[test]
-fn on_the_photo_what_lights_up_is_taken_and_the_photo_follows_the_pointer() {
+fn dragging_on_the_photo_moves_the_photo_with_the_pointer() {
     let by_px = DVec2::new(6.0, -9.0);
-    for landmark in IN_SIGHT {
+    for landmark in VISIBLE {
         let mut session = photo();
-        let from = place_px(&session, landmark);
+        let from = position_px(&session, landmark);
         act(&mut session, Intent::Hover(Some(from)));
-        assert_eq!(session.under().vertex, Some(landmark));
+        assert_eq!(session.hovered().vertex, Some(landmark));
         act(&mut session, Intent::Press(from, Pointer::Fine));
         act(&mut session, Intent::Drag(from + by_px, Pace::Usual));
         act(&mut session, Intent::Release);
         assert_eq!(face(&session).selection(), Some(Selection::Landmark(landmark)));
         assert_eq!(session.view().scene, Scene::Picture);
-        session.follow_in_photo();
+        session.update_photo_warp();
         let (warp_mesh, _) = face(&session).photo().warp_mesh().unwrap();
         let found_px = found_px(&session, landmark);
         let at = warp_mesh.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
         let shown = session.stage().place_of(warp_mesh.to_px[at]).unwrap();
-        let wanted = place_px(&session, landmark);
+        let wanted = position_px(&session, landmark);
         assert!(shown.distance(wanted) < 1.0, "{landmark}: the photo shows it at {shown}, the mesh is at {wanted}");
         assert_eq!(state(&session).entry_count, 1);
     }
 }
 
 #[test]
-fn without_an_edit_nothing_in_the_photo_moves_and_an_undo_takes_it_back() {
+fn the_photo_moves_with_edits_and_undo_restores_it() {
     let mut session = photo();
     let moved = |session: &mut Session| {
-        session.follow_in_photo();
+        session.update_photo_warp();
         let (warp_mesh, _) = face(session).photo().warp_mesh().unwrap();
         warp_mesh.from_px.iter().zip(&warp_mesh.to_px).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max)
     };
     assert_eq!(moved(&mut session), 0.0);
     act(&mut session, Intent::Slide(FaceSlider::JawWidth, -6.0));
-    assert!(moved(&mut session) > 0.2, "while it moves");
+    assert!(moved(&mut session) > 0.2, "during the edit");
     act(&mut session, Intent::Commit);
     assert!(moved(&mut session) > 0.2);
     act(&mut session, Intent::Undo);
@@ -80,28 +80,28 @@ fn without_an_edit_nothing_in_the_photo_moves_and_an_undo_takes_it_back() {
     assert!(moved(&mut session) > 0.2);
     let taken_from_m = face(&session).model().camera().distance_m;
     act(&mut session, Intent::SeenFrom(Some(taken_from_m)));
-    assert!(moved(&mut session) < 1e-6, "from where it was taken it is as it was taken");
+    assert!(moved(&mut session) < 1e-6, "the original distance gives the original photo");
     act(&mut session, Intent::SeenFrom(None));
     assert_eq!(moved(&mut session), 0.0);
 }
 
 #[test]
-fn what_is_seen_from_further_away_is_seen_so_by_the_stage_too() {
+fn the_stage_uses_the_photos_view_distance() {
     let mut session = photo();
     act(&mut session, Intent::SeenFrom(Some(2.0)));
     session.stage_mut().advance(0.0);
-    session.follow_in_photo();
+    session.update_photo_warp();
     let (warp_mesh, _) = face(&session).photo().warp_mesh().unwrap();
-    for landmark in IN_SIGHT {
+    for landmark in VISIBLE {
         let found_px = found_px(&session, landmark);
         let at = warp_mesh.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
-        let off = session.stage().place_of(warp_mesh.to_px[at]).unwrap().distance(place_px(&session, landmark));
-        assert!(off < 1.0, "{landmark} is {off} px beside itself");
+        let off = session.stage().place_of(warp_mesh.to_px[at]).unwrap().distance(position_px(&session, landmark));
+        assert!(off < 1.0, "{landmark} is {off} px off");
     }
 }
 
 #[test]
-fn turning_and_named_views_lead_out_of_the_photo_and_the_first_view_does_not() {
+fn orbiting_and_named_views_leave_the_photo_except_for_a_reset() {
     let leaving = [
         Intent::Orbit(DVec2::new(20.0, 0.0)),
         Intent::GoTo(NamedView::Left),
@@ -123,7 +123,7 @@ fn turning_and_named_views_lead_out_of_the_photo_and_the_first_view_does_not() {
 }
 
 #[test]
-fn the_switch_changes_how_the_face_is_seen_and_nothing_else_and_is_remembered() {
+fn the_scene_changes_only_the_view_and_persists() {
     let mut session = photo();
     select(&mut session, Selection::Landmark(MOUTH_CORNER));
     move_by(&mut session, DVec3::new(2.0, 1.0, 0.0));
@@ -131,28 +131,28 @@ fn the_switch_changes_how_the_face_is_seen_and_nothing_else_and_is_remembered() 
     for scene in [Scene::Solid, Scene::Picture] {
         act(&mut session, Intent::Scene(scene));
         assert_eq!(shape(&session), before);
-        hold(&session).unwrap();
+        check(&session).unwrap();
     }
-    open(&mut session, found());
-    assert_eq!(session.stage().scene(), Scene::Picture, "the next face is in its photo, too");
+    open(&mut session, detected());
+    assert_eq!(session.stage().scene(), Scene::Picture, "the scene persists");
     let preferences = session.preferences();
     let mut next = crate::faces::session();
-    act(&mut next, Intent::Prefer(preferences));
+    act(&mut next, Intent::RestorePreferences(preferences));
     assert_eq!((next.view().scene, next.stage().scene()), (Scene::Picture, Scene::Picture));
 }
 
-/// Paints over a place.
-fn paint(session: &mut Session, place_px: DVec2) {
-    act(session, Intent::Press(place_px, Pointer::Fine));
+/// Paints at a position.
+fn paint(session: &mut Session, position_px: DVec2) {
+    act(session, Intent::Press(position_px, Pointer::Fine));
     assert!(session.has_grabbed());
-    act(session, Intent::Drag(place_px + DVec2::new(40.0, 0.0), Pace::Usual));
+    act(session, Intent::Drag(position_px + DVec2::new(40.0, 0.0), Pace::Usual));
     act(session, Intent::Release);
 }
 
 #[test]
-fn what_is_painted_stays_and_is_undone_apart_from_the_edits() {
+fn strokes_protect_the_photo_and_have_separate_undo() {
     let mut session = photo();
-    let corner = place_px(&session, MOUTH_CORNER);
+    let corner = position_px(&session, MOUTH_CORNER);
     select(&mut session, Selection::Landmark(MOUTH_CORNER));
     move_by(&mut session, DVec3::new(4.0, 0.0, 0.0));
     let edited = shape(&session);
@@ -160,7 +160,7 @@ fn what_is_painted_stays_and_is_undone_apart_from_the_edits() {
     paint(&mut session, corner);
     assert_eq!(shape(&session), edited, "the mesh does not change");
     assert_eq!(state(&session).stroke_count, 1);
-    session.follow_in_photo();
+    session.update_photo_warp();
     let found = found_px(&session, MOUTH_CORNER);
     let moved = |session: &Session| {
         let (warp_mesh, _) = face(session).photo().warp_mesh().unwrap();
@@ -170,27 +170,27 @@ fn what_is_painted_stays_and_is_undone_apart_from_the_edits() {
     assert_eq!(moved(&session), 0.0);
     act(&mut session, Intent::Undo);
     assert_eq!((state(&session).stroke_count, state(&session).can_redo_stroke), (0, true));
-    assert_eq!(shape(&session), edited, "an undo with the brush in hand is the brush's");
-    session.follow_in_photo();
+    assert_eq!(shape(&session), edited, "with the brush, undo removes a stroke");
+    session.update_photo_warp();
     assert!(moved(&session) > 0.3);
     act(&mut session, Intent::Redo);
     act(&mut session, Intent::Brush(None));
     act(&mut session, Intent::Undo);
     assert_ne!(shape(&session), edited);
     assert_eq!(state(&session).stroke_count, 1);
-    act(&mut session, Intent::KeepNothing);
+    act(&mut session, Intent::ClearStrokes);
     assert_eq!(state(&session).stroke_count, 0);
 }
 
 #[test]
-fn the_brush_brings_the_photo_selects_nothing_and_goes_with_it() {
+fn the_brush_shows_the_photo_and_ends_with_it() {
     let mut session = session();
     act(&mut session, Intent::Brush(Some(BRUSH_PX[1])));
     assert_eq!(session.view().scene, Scene::Picture);
     session.stage_mut().advance(0.0);
-    let place = place_px(&session, NOSE_TIP);
+    let place = position_px(&session, NOSE_TIP);
     act(&mut session, Intent::Hover(Some(place)));
-    assert_eq!(session.under().vertex, None);
+    assert_eq!(session.hovered().vertex, None);
     let before = positions(&session);
     paint(&mut session, place);
     assert_eq!((face(&session).selection(), positions(&session)), (None, before));
@@ -206,7 +206,7 @@ fn the_brush_brings_the_photo_selects_nothing_and_goes_with_it() {
 }
 
 #[test]
-fn the_brush_paints_up_to_the_edge_of_the_photo_and_takes_nothing_beyond() {
+fn the_brush_paints_only_within_the_photo() {
     let mut session = photo();
     act(&mut session, Intent::Brush(Some(40.0)));
     for (count, corner_px) in
@@ -228,12 +228,12 @@ fn the_brush_paints_up_to_the_edge_of_the_photo_and_takes_nothing_beyond() {
 }
 
 #[test]
-fn what_the_photo_alone_holds_comes_back_with_the_work() {
+fn photo_edits_are_restored_with_the_work() {
     let mut session = photo();
     act(&mut session, Intent::SeenFrom(Some(1.5)));
     act(&mut session, Intent::Brush(Some(20.0)));
     session.stage_mut().advance(0.0);
-    let place = place_px(&session, NOSE_TIP);
+    let place = position_px(&session, NOSE_TIP);
     paint(&mut session, place);
     let (kept, text) = (face(&session).photo().strokes().clone(), face(&session).photo_json());
     let work = |photo: &str| Work {
@@ -242,7 +242,7 @@ fn what_the_photo_alone_holds_comes_back_with_the_work() {
         history: face(&session).history_json(),
         photo: Some(photo.to_owned()),
     };
-    let incoming = |photo: &str| Incoming { work: Some(work(photo)), ..found() };
+    let incoming = |photo: &str| Incoming { work: Some(work(photo)), ..detected() };
     let mut next = crate::faces::session();
     open(&mut next, incoming(&text));
     assert_eq!(face(&next).photo().strokes(), &kept);
@@ -257,7 +257,7 @@ fn what_the_photo_alone_holds_comes_back_with_the_work() {
 }
 
 #[test]
-fn an_edit_along_the_view_says_so_and_one_across_it_does_not() {
+fn edits_along_the_view_direction_are_reported() {
     let mut session = session();
     select(&mut session, Selection::Landmark(NOSE_TIP));
     for (offset_mm, is_along) in
@@ -271,5 +271,5 @@ fn an_edit_along_the_view_says_so_and_one_across_it_does_not() {
     assert!(state(&session).is_along_view);
     act(&mut session, Intent::ShowDepth);
     session.stage_mut().advance(0.0);
-    assert!(!state(&session).is_along_view, "from there it is seen");
+    assert!(!state(&session).is_along_view, "it is visible from the side");
 }

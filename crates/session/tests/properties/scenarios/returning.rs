@@ -11,16 +11,16 @@ use rosto_studio::{
 };
 use serde_json::Value;
 
-use super::{act, face, move_by, place_px, positions, select, state};
-use crate::faces::{found, open, session, worked_on};
-use crate::invariants::{hold, hold_deeply, seen};
+use super::{act, face, move_by, position_px, positions, select, state};
+use crate::faces::{detected, open, session, with_history};
+use crate::invariants::{check, check_thoroughly, seen};
 
 fn file_options() -> FileOptions {
     FileOptions { base_colour: BaseColour::Photo, edits: EditsAs::MorphTargets, ..FileOptions::default() }
 }
 
-/// Everything other than it is at first.
-fn choose_otherwise(session: &mut Session) {
+/// Sets each setting to another value than the default.
+fn change_settings(session: &mut Session) {
     let light = Light { azimuth_deg: -30.0, strength: 0.75, colour: Srgb([200, 190, 180]), ..Light::default() };
     for intent in [
         Intent::Mode(SelectionMode::Region),
@@ -45,52 +45,52 @@ fn choose_otherwise(session: &mut Session) {
 }
 
 #[test]
-fn choices_and_view_are_put_again_in_another_session() {
+fn settings_and_view_are_restored_in_another_session() {
     let mut one = Session::new(1);
-    choose_otherwise(&mut one);
+    change_settings(&mut one);
     let mut other = Session::new(2);
     assert_ne!(other.state(), one.state());
-    act(&mut other, Intent::Prefer(one.preferences()));
+    act(&mut other, Intent::RestorePreferences(one.preferences()));
     assert_eq!(other.state(), one.state());
     assert_eq!(other.preferences(), one.preferences());
-    open(&mut other, found());
+    open(&mut other, detected());
     let shown = (face(&other).triangulation(), face(&other).document().density());
-    assert_eq!(shown, (Triangulation::Tessellation, 1), "the next face is joined and subdivided as preferred");
+    assert_eq!(shown, (Triangulation::Tessellation, 1), "preferences apply to the next face");
     let mut usual = Session::new(3);
-    act(&mut usual, Intent::Prefer(Session::new(4).preferences()));
+    act(&mut usual, Intent::RestorePreferences(Session::new(4).preferences()));
     assert_eq!(usual.state(), Session::new(5).state());
 }
 
 #[test]
-fn an_open_face_keeps_its_mesh_and_takes_all_other_preferences() {
+fn an_open_face_keeps_its_mesh_under_restored_preferences() {
     let mut one = Session::new(1);
     act(&mut one, Intent::Motion(Motion::Reduced));
-    choose_otherwise(&mut one);
+    change_settings(&mut one);
     let mut other = session();
     select(&mut other, Selection::Landmark(4));
     act(&mut other, Intent::Preview(DVec3::Z));
-    act(&mut other, Intent::Prefer(one.preferences()));
+    act(&mut other, Intent::RestorePreferences(one.preferences()));
     let (wanted, now) = (one.state(), other.state());
     assert_eq!((now.mode, now.choices, now.light, now.dots), (wanted.mode, wanted.choices, wanted.light, wanted.dots));
     assert_eq!(now.view.shading, ShadingMode::Clay);
     assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, SMOOTH_DENSITY));
     let now = now.face.unwrap();
-    assert!(matches!(now.selection, Some(Selection::Region(_))), "what is selected follows the mode");
-    assert_eq!((now.vertex_count, now.entry_count), (7_257, 1), "the edit in progress is kept");
-    hold_deeply(&other).unwrap();
+    assert!(matches!(now.selection, Some(Selection::Region(_))), "the selection follows the mode");
+    assert_eq!((now.vertex_count, now.entry_count), (7_257, 1), "the edit in progress is committed");
+    check_thoroughly(&other).unwrap();
 }
 
 #[test]
-fn damaged_preferences_are_refused_and_change_nothing() {
+fn damaged_preferences_are_refused() {
     let mut session = session();
     select(&mut session, Selection::Landmark(4));
     act(&mut session, Intent::Preview(DVec3::Z));
     let (before, usual) = (seen(&session), session.preferences());
     let mut otherwise = Session::new(1);
-    choose_otherwise(&mut otherwise);
+    change_settings(&mut otherwise);
     let text = otherwise.preferences();
     let mut refused = |damaged: String| {
-        let refusal = session.apply(Intent::Prefer(damaged.clone()));
+        let refusal = session.apply(Intent::RestorePreferences(damaged.clone()));
         let is_known = matches!(refusal, Err(SessionError::Preferences { .. } | SessionError::OutOfRange { .. }));
         assert!(is_known, "{damaged}: {refusal:?}");
         assert_eq!((seen(&session), session.preferences()), (before.clone(), usual.clone()), "{damaged}");
@@ -110,7 +110,7 @@ fn damaged_preferences_are_refused_and_change_nothing() {
     }
 }
 
-/// An edit of a mesh that is denser than any on the screen, as the command line makes it.
+/// An edit of a mesh denser than the screen's maximum, as the command line can write.
 fn dense_history() -> String {
     let settings = Settings { anchors: Anchors::default(), ..Settings::default() };
     let spec = EditSpec { level: 4, handles: vec![20_000], settings };
@@ -119,23 +119,23 @@ fn dense_history() -> String {
 }
 
 #[test]
-fn work_on_a_denser_mesh_than_is_shown_opens_with_its_entry_waiting() {
+fn edits_of_a_denser_mesh_open_as_waiting_entries() {
     let mut session = session();
-    open(&mut session, worked_on(&dense_history(), Triangulation::Canonical, 4));
+    open(&mut session, with_history(&dense_history(), Triangulation::Canonical, 4));
     assert_eq!((session.view().density, face(&session).document().density()), (3, 3));
     assert_eq!(face(&session).rows()[0].status, EntryStatus::Waits { level: 4 });
     assert_eq!(positions(&session), face(&session).document().rest());
     assert_eq!(face(&session).rows()[0].target.to_string(), "point-20000@4");
-    everything_works(&mut session);
+    exercise(&mut session);
     assert_eq!(face(&session).rows()[0].status, EntryStatus::Waits { level: 4 });
-    hold_deeply(&session).unwrap();
+    check_thoroughly(&session).unwrap();
     let saved = face(&session).history_json();
-    open(&mut session, worked_on(&saved, Triangulation::Canonical, 4));
+    open(&mut session, with_history(&saved, Triangulation::Canonical, 4));
     assert_eq!(face(&session).history_json(), saved);
 }
 
-/// Selecting, moving, taking back, switching, pointing, saving and other densities.
-fn everything_works(session: &mut Session) {
+/// Exercises selecting, moving, undo, switching, pointing, saving and densities.
+fn exercise(session: &mut Session) {
     select(session, Selection::Landmark(4));
     move_by(session, DVec3::Z * 2.0);
     act(session, Intent::Slide(FaceSlider::NoseWidth, 1.0));
@@ -152,18 +152,18 @@ fn everything_works(session: &mut Session) {
     ] {
         act(session, intent.clone());
         assert_eq!(positions(session) == edited, same, "{intent:?}");
-        hold(session).unwrap();
+        check(session).unwrap();
     }
-    let nose = place_px(session, 4);
+    let nose = position_px(session, 4);
     act(session, Intent::Hover(Some(nose)));
-    assert_eq!(session.under().vertex, Some(4));
+    assert_eq!(session.hovered().vertex, Some(4));
     act(session, Intent::Density(1));
     for format in Format::ALL {
         let written = session.file(format, &file_options()).unwrap();
         let bundled = session.bundled_file(format, &file_options()).unwrap();
-        // The picture of a PNG is as small as the photo's part that shows the face.
-        let least_bytes = if format == Format::Png { 100 } else { 20_000 };
-        assert!(bundled.len() > least_bytes, "{format:?}");
+        // The PNG is only as large as the part of the photo that shows the face.
+        let min_bytes = if format == Format::Png { 100 } else { 20_000 };
+        assert!(bundled.len() > min_bytes, "{format:?}");
         assert_eq!(written.sidecars.is_empty(), format.bundle_extension(BaseColour::Photo) == format.id());
         assert_eq!(written.sidecars.is_empty(), bundled == written.bytes);
         let facts = session.solid_facts(Solid::default()).unwrap();
@@ -171,7 +171,7 @@ fn everything_works(session: &mut Session) {
     }
     for density in [0, 1, 3] {
         act(session, Intent::Density(density));
-        hold(session).unwrap();
+        check(session).unwrap();
     }
     assert_eq!(positions(session), edited);
 }

@@ -5,7 +5,7 @@ use super::{act, face, positions, select, state};
 use crate::faces::{bits, session};
 use glam::DVec3;
 
-/// Drags a slider to where it is to stand.
+/// Drags a slider to a value.
 fn slide(session: &mut Session, slider: FaceSlider, to_mm: f64) {
     for tick in 1..=8 {
         act(session, Intent::Slide(slider, to_mm * f64::from(tick) / 8.0));
@@ -13,32 +13,32 @@ fn slide(session: &mut Session, slider: FaceSlider, to_mm: f64) {
     act(session, Intent::Commit);
 }
 
-fn stands_at(session: &Session, slider: FaceSlider) -> f64 {
+fn value_of(session: &Session, slider: FaceSlider) -> f64 {
     let place = FaceSlider::ALL.iter().position(|one| *one == slider).unwrap();
     session.tick().sliders_mm[place]
 }
 
 #[test]
-fn a_slider_stands_where_its_entries_in_force_add_up_to() {
+fn a_sliders_value_is_the_sum_of_its_entries_in_force() {
     let mut session = session();
     let slider = FaceSlider::NoseWidth;
     slide(&mut session, slider, 2.0);
     slide(&mut session, FaceSlider::ChinLength, -3.0);
     slide(&mut session, slider, 1.5);
     assert_eq!(state(&session).entry_count, 3);
-    assert!((stands_at(&session, slider) - 1.5).abs() < 1e-9);
+    assert!((value_of(&session, slider) - 1.5).abs() < 1e-9);
     act(&mut session, Intent::Switch(0, Switch::Off));
-    assert!((stands_at(&session, slider) + 0.5).abs() < 1e-9);
+    assert!((value_of(&session, slider) + 0.5).abs() < 1e-9);
     act(&mut session, Intent::Undo);
     act(&mut session, Intent::Undo);
-    assert!((stands_at(&session, slider) - 2.0).abs() < 1e-9);
+    assert!((value_of(&session, slider) - 2.0).abs() < 1e-9);
     act(&mut session, Intent::Redo);
-    assert!((stands_at(&session, slider) - 1.5).abs() < 1e-9);
-    assert!((stands_at(&session, FaceSlider::ChinLength) + 3.0).abs() < 1e-9);
+    assert!((value_of(&session, slider) - 1.5).abs() < 1e-9);
+    assert!((value_of(&session, FaceSlider::ChinLength) + 3.0).abs() < 1e-9);
 }
 
 #[test]
-fn a_drag_of_a_slider_is_the_command_of_its_amount() {
+fn a_slider_drag_equals_its_command() {
     let mut session = session();
     slide(&mut session, FaceSlider::JawWidth, 4.0);
     let entries = face(&session).document().history().entries();
@@ -52,15 +52,15 @@ fn a_drag_of_a_slider_is_the_command_of_its_amount() {
 }
 
 #[test]
-fn a_slider_put_back_or_let_go_of_leaves_no_entry() {
+fn cancelled_slider_drags_add_no_entry() {
     let mut session = session();
     let slider = FaceSlider::LipFullness;
     let rest = positions(&session);
     act(&mut session, Intent::Slide(slider, 2.0));
-    assert!(session.tick().is_editing && (stands_at(&session, slider) - 2.0).abs() < 1e-12);
+    assert!(session.tick().is_editing && (value_of(&session, slider) - 2.0).abs() < 1e-12);
     assert_ne!(positions(&session), rest);
     act(&mut session, Intent::Cancel);
-    assert_eq!((positions(&session), stands_at(&session, slider)), (rest.clone(), 0.0));
+    assert_eq!((positions(&session), value_of(&session, slider)), (rest.clone(), 0.0));
     act(&mut session, Intent::Slide(slider, 2.0));
     act(&mut session, Intent::Slide(slider, 0.0));
     act(&mut session, Intent::Commit);
@@ -68,7 +68,7 @@ fn a_slider_put_back_or_let_go_of_leaves_no_entry() {
 }
 
 #[test]
-fn the_selection_is_held_again_after_a_slider() {
+fn the_selection_is_prepared_again_after_a_slider() {
     let mut session = session();
     select(&mut session, Selection::Landmark(61));
     let document = face(&session).document();
@@ -82,5 +82,5 @@ fn the_selection_is_held_again_after_a_slider() {
     let fields = face(&session).influence_fields()[0].unwrap();
     assert_eq!(fields.len(), influence.direct.len());
     assert!(fields.iter().zip(influence.direct).all(|(now, before)| (now - before).abs() < 1e-12));
-    assert_eq!(state(&session).kept_mm.y, 1.0);
+    assert_eq!(state(&session).committed_mm.y, 1.0);
 }

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::{act, face, positions, state};
 use crate::faces::{bits, session};
 
-/// Drags an expression's slider to where it is to stand.
+/// Drags an expression's slider to a weight.
 fn express(session: &mut Session, expression: Expression, to: f64) {
     for tick in 1..=8 {
         act(session, Intent::Express(expression, to * f64::from(tick) / 8.0));
@@ -16,53 +16,53 @@ fn express(session: &mut Session, expression: Expression, to: f64) {
     act(session, Intent::Commit);
 }
 
-fn stands_at(session: &Session, expression: Expression) -> f64 {
+fn value_of(session: &Session, expression: Expression) -> f64 {
     session.tick().weights[expression as usize]
 }
 
-fn stands_near(session: &Session, expression: Expression, weight: f64) -> bool {
-    (stands_at(session, expression) - weight).abs() < 1e-9
+fn is_near(session: &Session, expression: Expression, weight: f64) -> bool {
+    (value_of(session, expression) - weight).abs() < 1e-9
 }
 
 #[test]
-fn an_expression_stands_where_its_entries_in_force_add_up_to() {
+fn an_expressions_weight_is_the_sum_of_its_entries_in_force() {
     let mut session = session();
     express(&mut session, Expression::JawOpen, 0.5);
     express(&mut session, Expression::MouthPucker, 0.25);
     express(&mut session, Expression::JawOpen, 0.2);
     assert_eq!(state(&session).entry_count, 3);
-    assert!(stands_near(&session, Expression::JawOpen, 0.2));
+    assert!(is_near(&session, Expression::JawOpen, 0.2));
     act(&mut session, Intent::Switch(0, Switch::Off));
-    assert!(stands_near(&session, Expression::JawOpen, -0.3));
+    assert!(is_near(&session, Expression::JawOpen, -0.3));
     act(&mut session, Intent::Undo);
     act(&mut session, Intent::Undo);
-    assert!(stands_near(&session, Expression::JawOpen, 0.5));
-    assert!(stands_near(&session, Expression::MouthPucker, 0.25));
+    assert!(is_near(&session, Expression::JawOpen, 0.5));
+    assert!(is_near(&session, Expression::MouthPucker, 0.25));
 }
 
 #[test]
-fn with_the_mirror_both_sides_follow_as_one_change_and_without_it_one() {
+fn the_mirror_applies_expressions_to_both_sides_as_one_change() {
     let mut session = session();
     let (left, right) = (Expression::MouthSmileLeft, Expression::MouthSmileRight);
     act(&mut session, Intent::Mirror(Mirror::Off));
     express(&mut session, right, 0.75);
-    assert!(stands_near(&session, right, 0.75) && stands_near(&session, left, 0.0));
+    assert!(is_near(&session, right, 0.75) && is_near(&session, left, 0.0));
     act(&mut session, Intent::Mirror(Mirror::On));
     express(&mut session, left, 0.5);
-    assert!(stands_near(&session, right, 0.5) && stands_near(&session, left, 0.5));
+    assert!(is_near(&session, right, 0.5) && is_near(&session, left, 0.5));
     assert_eq!(state(&session).entry_count, 3);
     act(&mut session, Intent::Undo);
-    assert!(stands_near(&session, right, 0.75) && stands_near(&session, left, 0.0));
+    assert!(is_near(&session, right, 0.75) && is_near(&session, left, 0.0));
 }
 
 #[test]
-fn at_rest_no_expression_counts_and_undo_brings_all_back() {
+fn resetting_expressions_is_one_change() {
     let mut session = session();
     let rest = bits(&positions(&session));
     express(&mut session, Expression::EyeBlinkLeft, 1.0);
     express(&mut session, Expression::CheekPuff, 0.5);
     let shown = bits(&positions(&session));
-    act(&mut session, Intent::ComeToRest);
+    act(&mut session, Intent::ResetExpressions);
     assert_eq!(bits(&positions(&session)), rest);
     assert_eq!(session.tick().weights, [0.0; Expression::ALL.len()]);
     act(&mut session, Intent::Undo);
@@ -70,7 +70,7 @@ fn at_rest_no_expression_counts_and_undo_brings_all_back() {
 }
 
 #[test]
-fn an_expression_put_back_or_let_go_of_leaves_no_entry_and_what_is_selected_stays_held() {
+fn cancelled_expressions_add_no_entry_and_the_edit_stays_prepared() {
     let mut session = session();
     act(&mut session, Intent::Select(Some(Selection::Landmark(4))));
     let rest = positions(&session);
@@ -94,7 +94,7 @@ fn rigged() -> FileOptions {
     }
 }
 
-/// A GLB's description and its numbers.
+/// JSON and binary chunk of a GLB.
 struct Glb {
     json: Value,
     binary: Vec<u8>,
@@ -112,7 +112,7 @@ impl Glb {
         self.binary[start..].chunks(4).take(count).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect()
     }
 
-    /// Vectors, however they are written.
+    /// Vectors of a dense or sparse accessor.
     fn vectors(&self, accessor: &Value) -> Vec<DVec3> {
         let accessor = &self.json["accessors"][accessor.as_u64().unwrap() as usize];
         let count = accessor["count"].as_u64().unwrap() as usize;
@@ -134,7 +134,7 @@ impl Glb {
 }
 
 #[test]
-fn a_glb_with_expressions_leads_from_its_base_to_what_is_seen_and_opens_again() {
+fn a_glb_with_expressions_adds_up_to_the_displayed_shape_and_reopens() {
     let mut session = session();
     act(&mut session, Intent::Triangulation(Triangulation::Canonical));
     act(&mut session, Intent::Select(Some(Selection::Landmark(4))));
@@ -153,11 +153,14 @@ fn a_glb_with_expressions_leads_from_its_base_to_what_is_seen_and_opens_again() 
         let mut reached = glb.vectors(&mesh["primitives"][0]["attributes"]["POSITION"]);
         let targets = mesh["primitives"][0]["targets"].as_array().unwrap();
         for (target, weight) in targets.iter().zip(mesh["weights"].as_array().unwrap()) {
-            let ways = glb.vectors(&target["POSITION"]);
-            reached.iter_mut().zip(ways).for_each(|(at, way)| *at += weight.as_f64().unwrap() * way);
+            let displacements = glb.vectors(&target["POSITION"]);
+            reached
+                .iter_mut()
+                .zip(displacements)
+                .for_each(|(at, displacement)| *at += weight.as_f64().unwrap() * displacement);
         }
         let shown = positions(&session);
-        assert!(reached.len() > shown.len(), "eyes and mouth are pieces of their own");
+        assert!(reached.len() > shown.len(), "eyes and mouth are separate pieces");
         let [points, triangles] = session.mesh_counts(Format::Glb, &rigged()).unwrap();
         let indices = &glb.json["accessors"][mesh["primitives"][0]["indices"].as_u64().unwrap() as usize];
         assert_eq!((points, Some(3 * triangles as u64)), (reached.len(), indices["count"].as_u64()));
@@ -166,7 +169,7 @@ fn a_glb_with_expressions_leads_from_its_base_to_what_is_seen_and_opens_again() 
         assert_eq!(session.mesh_counts(Format::Obj, &still).unwrap()[0], reached.len());
         let ply = session.file(Format::Ply, &still).unwrap().bytes;
         let header = format!("element vertex {}\n", reached.len());
-        assert!(String::from_utf8_lossy(&ply).contains(&header), "the same pieces stand still");
+        assert!(String::from_utf8_lossy(&ply).contains(&header), "a rig without expressions has the same pieces");
         let apart = shown.iter().zip(&reached).map(|(shown, reached)| shown.distance(*reached)).fold(0.0, f64::max);
         assert!(apart < 1e-7, "{apart} m");
         let reopened = reopen(&file).unwrap();

@@ -4,9 +4,9 @@ use rosto_laplacian::LaplacianError;
 use rosto_session::{AnchorChoice, Intent, Selection, SelectionMode, Session, SessionError};
 use rosto_studio::{ConstraintKind, EditTarget, EntryStatus, Mirror, StudioError, Switch};
 
-use super::{act, face, move_by, place_px, positions, select, select_points, state, way_mm};
+use super::{act, displacement_mm, face, move_by, position_px, positions, select, select_points, state};
 use crate::faces::{SIZE_PX, session};
-use crate::invariants::hold;
+use crate::invariants::check;
 
 const NOSE_TIP: u32 = 1;
 const CHIN: u32 = 199;
@@ -16,7 +16,7 @@ fn selection(session: &Session) -> Option<Selection> {
 }
 
 #[test]
-fn a_region_moves_as_one_on_both_sides() {
+fn a_region_moves_on_both_sides() {
     let mut session = session();
     let brow = Selection::Region(Region::LeftBrow);
     select(&mut session, brow);
@@ -24,17 +24,17 @@ fn a_region_moves_as_one_on_both_sides() {
     let offset_mm = DVec3::new(1.0, 2.0, 0.5);
     move_by(&mut session, offset_mm);
     for vertex in brow.handles() {
-        assert!(way_mm(&session, &before, vertex).distance(offset_mm) < 1e-9);
+        assert!(displacement_mm(&session, &before, vertex).distance(offset_mm) < 1e-9);
         let mirrored = DVec3::new(-offset_mm.x, offset_mm.y, offset_mm.z);
-        assert!(way_mm(&session, &before, mirror_of(vertex)).distance(mirrored) < 1e-9);
+        assert!(displacement_mm(&session, &before, mirror_of(vertex)).distance(mirrored) < 1e-9);
     }
     let entries = face(&session).document().history().entries();
     assert_eq!((selection(&session), entries.len(), entries[0].label.as_str()), (Some(brow), 1, "left-brow"));
-    assert!(state(&session).kept_mm.distance(offset_mm) < 1e-9);
+    assert!(state(&session).committed_mm.distance(offset_mm) < 1e-9);
 }
 
 #[test]
-fn asking_again_takes_the_next_larger_region() {
+fn repeated_selection_takes_the_next_larger_region() {
     let mut session = session();
     act(&mut session, Intent::Mode(SelectionMode::Region));
     let mut seen = Vec::new();
@@ -47,7 +47,7 @@ fn asking_again_takes_the_next_larger_region() {
 }
 
 #[test]
-fn what_is_selected_follows_the_choice_between_landmark_and_region() {
+fn the_selection_follows_the_mode() {
     let mut session = session();
     act(&mut session, Intent::Mode(SelectionMode::Region));
     assert_eq!(selection(&session), None);
@@ -60,11 +60,11 @@ fn what_is_selected_follows_the_choice_between_landmark_and_region() {
     act(&mut session, Intent::Mode(SelectionMode::Region));
     assert_eq!(selection(&session), Some(region));
     act(&mut session, Intent::Mode(SelectionMode::Landmark));
-    assert_eq!(selection(&session), Some(Selection::Landmark(region.middle())));
+    assert_eq!(selection(&session), Some(Selection::Landmark(region.centre())));
 }
 
 #[test]
-fn only_what_has_edits_in_force_can_be_reset() {
+fn only_selections_with_edits_in_force_can_be_reset() {
     let mut session = session();
     let [nose, lips] = [Region::Nose, Region::Lips].map(Selection::Region);
     assert_eq!(session.apply(Intent::ResetSelected), Err(SessionError::NothingSelected));
@@ -81,7 +81,7 @@ fn only_what_has_edits_in_force_can_be_reset() {
 }
 
 #[test]
-fn what_is_its_own_mirror_image_moves_both_sides_alike_in_the_plane_and_alone_beside_it() {
+fn symmetric_selections_leave_the_mirror_only_sideways() {
     let mut session = session();
     let one_sided = [Selection::Landmark(61), Selection::Region(Region::LeftBrow)];
     let whole = [Selection::Landmark(NOSE_TIP), Selection::Region(Region::Nose)];
@@ -92,12 +92,13 @@ fn what_is_its_own_mirror_image_moves_both_sides_alike_in_the_plane_and_alone_be
             assert_eq!(state(&session).lies_in_plane, in_plane, "{selection:?}");
             let before = positions(&session);
             act(&mut session, Intent::Preview(DVec3::new(0.0, 2.0, 1.0)));
-            let sideways =
-                |vertex: u32| way_mm(&session, &before, vertex).x + way_mm(&session, &before, mirror_of(vertex)).x;
+            let sideways = |vertex: u32| {
+                displacement_mm(&session, &before, vertex).x + displacement_mm(&session, &before, mirror_of(vertex)).x
+            };
             assert!((0..468).all(|vertex| sideways(vertex).abs() < 1e-9), "{selection:?} moves both sides alike");
             act(&mut session, Intent::Preview(DVec3::X));
-            let way_mm = way_mm(&session, &before, selection.middle());
-            assert!(way_mm.distance(DVec3::X) < 1e-9, "{selection:?} moves by {way_mm} mm");
+            let displacement_mm = displacement_mm(&session, &before, selection.centre());
+            assert!(displacement_mm.distance(DVec3::X) < 1e-9, "{selection:?} moves by {way_mm} mm");
             assert_eq!(state(&session).leaves_plane, in_plane);
             act(&mut session, Intent::Cancel);
             assert!(!state(&session).leaves_plane);
@@ -108,7 +109,7 @@ fn what_is_its_own_mirror_image_moves_both_sides_alike_in_the_plane_and_alone_be
 }
 
 #[test]
-fn the_reach_of_what_moves_in_the_mirrors_plane_is_whole() {
+fn symmetric_selections_reach_their_reported_share() {
     let mut session = session();
     act(&mut session, Intent::Constraint(ConstraintKind::Soft { weight: 1.0 }));
     assert_eq!((session.choices().anchors, session.choices().mirror), (AnchorChoice::Oval, Mirror::On));
@@ -117,9 +118,9 @@ fn the_reach_of_what_moves_in_the_mirrors_plane_is_whole() {
         select(&mut session, selection);
         let before = positions(&session);
         act(&mut session, Intent::Preview(DVec3::Y));
-        let (reach, moved) = (session.tick().share_reached, way_mm(&session, &before, selection.middle()).y);
-        assert!((reach - moved).abs() < 1e-9, "{selection:?}: a reach of {reach}, and it moves by {moved}");
-        // Neighbours that are held, too, may carry one of a region a little further than its offset.
+        let (reach, moved) = (session.tick().share_reached, displacement_mm(&session, &before, selection.centre()).y);
+        assert!((reach - moved).abs() < 1e-9, "{selection:?}: a share of {reach}, but it moves by {moved}");
+        // Other handles of a region can move a vertex slightly beyond its offset.
         let is_alone = matches!(selection, Selection::Landmark(_));
         assert!(reach > 0.2 && (reach < 1.0 || !is_alone), "{selection:?}: {reach}");
         act(&mut session, Intent::Cancel);
@@ -127,7 +128,7 @@ fn the_reach_of_what_moves_in_the_mirrors_plane_is_whole() {
 }
 
 #[test]
-fn what_nothing_else_holds_is_selected_and_stays_until_something_is_pinned() {
+fn a_selection_without_anchors_cannot_move_until_a_pin_is_set() {
     let mut session = session();
     act(&mut session, Intent::Anchors(AnchorChoice::PinsOnly));
     select(&mut session, Selection::Landmark(NOSE_TIP));
@@ -138,16 +139,16 @@ fn what_nothing_else_holds_is_selected_and_stays_until_something_is_pinned() {
     assert_eq!((positions(&session), session.tick().is_editing), (before.clone(), false));
     act(&mut session, Intent::Commit);
     assert_eq!(state(&session).entry_count, 0);
-    let chin = place_px(&session, CHIN);
+    let chin = position_px(&session, CHIN);
     act(&mut session, Intent::PinUnder(chin));
     assert_eq!((state(&session).refusal, state(&session).anchors), (None, vec![CHIN]));
     act(&mut session, Intent::Preview(DVec3::Z * 5.0));
-    assert!((way_mm(&session, &before, NOSE_TIP).z - 5.0).abs() < 1e-9);
-    assert!(way_mm(&session, &before, CHIN).length() < 1e-9);
+    assert!((displacement_mm(&session, &before, NOSE_TIP).z - 5.0).abs() < 1e-9);
+    assert!(displacement_mm(&session, &before, CHIN).length() < 1e-9);
 }
 
 #[test]
-fn the_pointer_moves_over_another_density_while_nothing_holds_what_is_selected() {
+fn hovering_works_at_another_density_without_anchors() {
     let mut session = session();
     let middle = (glam::UVec2::from(SIZE_PX).as_dvec2()) / 2.0;
     for mode in [SelectionMode::Landmark, SelectionMode::Point] {
@@ -157,11 +158,11 @@ fn the_pointer_moves_over_another_density_while_nothing_holds_what_is_selected()
         for density in [2, 0, 1, 3, 0] {
             act(&mut session, Intent::Hover(Some(middle)));
             act(&mut session, Intent::Density(density));
-            assert!(state(&session).refusal.is_some(), "nothing is pinned");
+            assert!(state(&session).refusal.is_some(), "no anchor is set");
             act(&mut session, Intent::Hover(Some(middle)));
-            let under = session.under().vertex.unwrap();
+            let under = session.hovered().vertex.unwrap();
             assert!((under as usize) < session.state().selectable, "{under} at {density}");
-            hold(&session).unwrap();
+            check(&session).unwrap();
         }
     }
     select(&mut session, Selection::Landmark(CHIN));
@@ -171,13 +172,13 @@ fn the_pointer_moves_over_another_density_while_nothing_holds_what_is_selected()
     assert_eq!(state(&session).refusal, None);
 }
 
-/// How far what is selected is from a place, both at rest, in metres.
-fn away_m(session: &Session, place_m: DVec3) -> f64 {
-    face(session).document().rest()[face(session).selected().unwrap() as usize].distance(place_m)
+/// Distance of the selection from a position at rest, in metres.
+fn away_m(session: &Session, position_m: DVec3) -> f64 {
+    face(session).document().rest()[face(session).selected().unwrap() as usize].distance(position_m)
 }
 
 #[test]
-fn any_point_is_a_landmark_at_468_points_and_one_of_the_dense_mesh_above() {
+fn point_mode_selects_landmarks_at_density_0_and_vertices_above() {
     let mut session = session();
     select_points(&mut session, 0);
     act(&mut session, Intent::SelectAt(61));
@@ -188,16 +189,16 @@ fn any_point_is_a_landmark_at_468_points_and_one_of_the_dense_mesh_above() {
     assert_eq!(session.apply(Intent::SelectAt(7_257)), beyond(7_257, 7_257));
     act(&mut session, Intent::SelectAt(5_000));
     assert_eq!(selection(&session), Some(Selection::Point { level: 2, vertex: 5_000 }));
-    let place_m = face(&session).document().rest()[5_000];
+    let position_m = face(&session).document().rest()[5_000];
     act(&mut session, Intent::Density(3));
     assert_eq!(selection(&session), Some(Selection::Point { level: 3, vertex: 5_000 }));
     act(&mut session, Intent::Density(1));
     assert!(matches!(selection(&session), Some(Selection::Point { level: 1, .. })));
-    assert!(away_m(&session, place_m) < 0.006);
+    assert!(away_m(&session, position_m) < 0.006);
     let point = selection(&session).unwrap();
     act(&mut session, Intent::Mode(SelectionMode::Landmark));
     assert!(matches!(selection(&session), Some(Selection::Landmark(_))));
-    assert!(away_m(&session, place_m) < 0.012);
+    assert!(away_m(&session, position_m) < 0.012);
     assert_eq!(session.apply(Intent::SelectAt(468)), beyond(468, 468));
     for (mode, is_region) in [(SelectionMode::Point, false), (SelectionMode::Region, true)] {
         select(&mut session, point);
@@ -211,7 +212,7 @@ fn any_point_is_a_landmark_at_468_points_and_one_of_the_dense_mesh_above() {
 }
 
 #[test]
-fn a_point_moves_with_its_mirror_image_and_waits_under_its_name_while_the_mesh_is_coarser() {
+fn point_edits_are_mirrored_and_wait_on_coarser_meshes() {
     let mut session = session();
     select_points(&mut session, 1);
     act(&mut session, Intent::SelectAt(1_500));
@@ -219,10 +220,10 @@ fn a_point_moves_with_its_mirror_image_and_waits_under_its_name_while_the_mesh_i
     move_by(&mut session, DVec3::new(1.0, 0.0, 2.0));
     let partner = face(&session).document().partner(1, 1_500).unwrap();
     for (vertex, x) in [(1_500, 1.0), (partner, -1.0)] {
-        assert!(way_mm(&session, &before, vertex).distance(DVec3::new(x, 0.0, 2.0)) < 1e-9);
+        assert!(displacement_mm(&session, &before, vertex).distance(DVec3::new(x, 0.0, 2.0)) < 1e-9);
     }
     let now = state(&session);
-    assert_eq!((now.kept_mm.z, now.can_mirror, now.can_reset_selection), (2.0, true, true));
+    assert_eq!((now.committed_mm.z, now.can_mirror, now.can_reset_selection), (2.0, true, true));
     let target = EditTarget::Point { level: 1, vertex: 1_500 };
     let label = face(&session).document().history().entries()[0].label.clone();
     assert_eq!(label, "point-1500@1");
@@ -236,7 +237,7 @@ fn a_point_moves_with_its_mirror_image_and_waits_under_its_name_while_the_mesh_i
 }
 
 #[test]
-fn what_is_selected_and_what_was_moved_go_by_the_same_target() {
+fn selection_and_entry_have_the_same_target() {
     let mut session = session();
     select(&mut session, Selection::Landmark(NOSE_TIP));
     move_by(&mut session, DVec3::Z);
@@ -246,13 +247,13 @@ fn what_is_selected_and_what_was_moved_go_by_the_same_target() {
 }
 
 #[test]
-fn points_have_no_mirror_image_with_eyes_and_mouth_open_and_are_moved_alone() {
+fn points_of_the_tessellation_move_without_the_mirror() {
     let mut session = session();
     select_points(&mut session, 1);
     act(&mut session, Intent::SelectAt(1_500));
-    let place_m = face(&session).document().rest()[1_500];
+    let position_m = face(&session).document().rest()[1_500];
     act(&mut session, Intent::Triangulation(Triangulation::Tessellation));
-    assert!(away_m(&session, place_m) < 0.002);
+    assert!(away_m(&session, position_m) < 0.002);
     assert!(!state(&session).can_mirror);
     act(&mut session, Intent::Preview(DVec3::Z));
     assert_eq!(face(&session).document().handles().len(), 1);

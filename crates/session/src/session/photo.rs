@@ -11,17 +11,17 @@ use crate::open_face::OpenFace;
 use crate::strokes::Strokes;
 use crate::{Changed, Motion, SessionError};
 
-/// The brush is no finer and no coarser than this, in CSS px.
+/// Range of the brush's radius, in CSS px.
 pub const BRUSH_PX: [f64; 2] = [4.0, 120.0];
 
-/// How far to the side a face is turned to show how deep an edit goes, in radians.
+/// Angle by which the view is turned to show edits in depth, in radians.
 const ASIDE: f64 = 0.9;
 
-/// The photo on the stage, and what is done to it alone.
+/// The photo on the stage, and edits of the photo alone.
 impl Session {
-    /// The photo's camera, in whose view mesh and photo coincide, and where it has the photo lie.
+    /// Shows the photo's camera and plane, in which mesh and photo coincide.
     pub(super) fn show_pinhole(&mut self) {
-        // What the mirror shows comes with each frame.
+        // The live preview sets them with each frame.
         if self.live_preview.is_some() {
             return;
         }
@@ -58,7 +58,7 @@ impl Session {
         self.keep_in_frame();
     }
 
-    /// Who turns the photo turns the face out of it.
+    /// Switches from the photo to the 3D face at its orientation.
     pub(super) fn leave_photo(&mut self) -> Changed {
         if self.face.is_some() && self.view.scene == Scene::Picture {
             (self.view.scene, self.brush_px) = (Scene::Solid, None);
@@ -87,9 +87,9 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    /// The brush paints on the photo alone.
+    /// Sets the brush, which paints only on the photo.
     pub(super) fn set_brush(&mut self, radius_px: Option<f64>) -> Result {
-        // In a mirror nothing stays where it was painted.
+        // Strokes cannot be placed on a camera stream.
         let radius_px = radius_px.filter(|_| self.live_preview.is_none());
         self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX[0], BRUSH_PX[1])).transpose()?;
         if self.brush_px.is_some() && self.view.scene != Scene::Picture {
@@ -99,10 +99,10 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    /// Begins a stroke, if the place is on the photo: the brush takes hold of nothing else.
-    pub(super) fn paint(&mut self, place_px: DVec2, brush_px: f64) -> Changed {
+    /// Begins a stroke if the position is on the photo; the brush grabs nothing else.
+    pub(super) fn paint(&mut self, position_px: DVec2, brush_px: f64) -> Changed {
         self.gesture = Gesture::Idle;
-        let dab = self.dab(place_px, brush_px * self.stage.pixel_ratio());
+        let dab = self.dab(position_px, brush_px * self.stage.pixel_ratio());
         if let (Some(face), Some(dab)) = (&mut self.face, dab) {
             self.gesture = Gesture::Painting;
             face.change_strokes(|strokes| strokes.begin(dab));
@@ -110,16 +110,16 @@ impl Session {
         Changed::View
     }
 
-    /// What a brush of that radius, in px of the canvas, covers of the photo at a place of the canvas.
-    fn dab(&self, place_px: DVec2, radius_px: f64) -> Option<Dab> {
-        let centre_px = self.stage.picture_px(place_px)?;
+    /// The part of the photo that a brush covers, for a position and radius in px of the canvas.
+    fn dab(&self, position_px: DVec2, radius_px: f64) -> Option<Dab> {
+        let centre_px = self.stage.picture_px(position_px)?;
         Some(Dab { centre_px, radius_px: radius_px / self.stage.px_per_picture_px(centre_px)? })
     }
 
-    pub(super) fn go_on_painting(&mut self, place_px: DVec2) -> Changed {
-        let place = self.stage.picture_px(place_px);
-        if let (Some(face), Some(place)) = (&mut self.face, place) {
-            face.change_strokes(|strokes| strokes.go_on(place));
+    pub(super) fn continue_stroke(&mut self, position_px: DVec2) -> Changed {
+        let photo_px = self.stage.picture_px(position_px);
+        if let (Some(face), Some(photo_px)) = (&mut self.face, photo_px) {
+            face.change_strokes(|strokes| strokes.extend(photo_px));
         }
         Changed::View
     }
@@ -130,7 +130,7 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    /// Out of the photo and to the side, from where an edit in depth is seen.
+    /// Leaves the photo and turns to the side, so that edits in depth are visible.
     pub(super) fn show_depth(&mut self) -> Result {
         self.open_face()?;
         self.set_scene(Scene::Solid);
@@ -140,30 +140,30 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    /// The brush in hand: its radius in CSS px.
+    /// Radius of the brush in CSS px, if it is in use.
     pub fn brush_px(&self) -> Option<f64> {
         self.brush_px
     }
 
-    /// Lets the photo follow the edits, as [`OpenFace::follow_in_photo`] says; whoever shows the photo asks for it.
-    pub fn follow_in_photo(&mut self) {
+    /// Updates the photo's warp; see [`OpenFace::update_photo_warp`]. Called when the photo is displayed.
+    pub fn update_photo_warp(&mut self) {
         if let Some(face) = &mut self.face {
-            face.follow_in_photo();
+            face.update_photo_warp();
         }
     }
 
-    /// Middles and radii, in px of the canvas, of what of the photo is kept.
-    pub fn kept_on_canvas(&self) -> Vec<[f64; 3]> {
+    /// Centres and radii of the protected dabs, in px of the canvas.
+    pub fn protected_on_canvas(&self) -> Vec<[f64; 3]> {
         let circle = |dab: &Dab| {
-            let middle = self.stage.place_of(dab.centre_px)?;
-            Some([middle.x, middle.y, dab.radius_px * self.stage.px_per_picture_px(dab.centre_px)?])
+            let centre = self.stage.place_of(dab.centre_px)?;
+            Some([centre.x, centre.y, dab.radius_px * self.stage.px_per_picture_px(dab.centre_px)?])
         };
         let face = self.face.as_ref();
         face.map(|face| face.photo().strokes().dabs().filter_map(circle).collect()).unwrap_or_default()
     }
 }
 
-/// Where a photo lies in the model, on the plane through the middle of the face that its camera's axis meets at right angles.
+/// Plane of a photo in the model: through the centre of the face, perpendicular to the camera's axis.
 pub(super) fn plane(camera: &Camera, photo_size_px: [u32; 2], centre_m: DVec3) -> Option<PicturePlane> {
     const STEP_M: f64 = 0.01;
     let model_from_camera = camera.camera_from_model.matrix3.transpose();

@@ -5,61 +5,61 @@ use rosto_studio::{Document, EditsInRig, Expression, FaceSlider, Rig, StudioErro
 use super::opening::prepare;
 use super::{Result, Session};
 use crate::error::within;
-use crate::gesture::{Gesture, Under};
-use crate::incoming::DENSEST_SHOWN;
+use crate::gesture::{Gesture, Hovered};
+use crate::incoming::MAX_SHOWN_DENSITY;
 use crate::open_face::{MAX_OFFSET_M, MM_PER_M, OpenFace};
 use crate::{Changed, Choices, SessionError};
 
-/// What is done to the face, and taken back.
+/// Edits, undo and redo.
 impl Session {
     pub(super) fn preview(&mut self, offset_mm: DVec3) -> Result {
-        let most_mm = MAX_OFFSET_M * MM_PER_M;
+        let max_mm = MAX_OFFSET_M * MM_PER_M;
         for along in offset_mm.to_array() {
-            within("an offset in mm", along, -most_mm, most_mm)?;
+            within("an offset in mm", along, -max_mm, max_mm)?;
         }
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
         let was_sliding = face.is_sliding();
         if was_sliding {
             face.commit(&self.choices);
         }
-        let is_held_anew = face.preview(offset_mm, &self.choices)?;
-        Ok(if was_sliding || is_held_anew { Changed::Document } else { Changed::Tick })
+        let was_prepared = face.preview(offset_mm, &self.choices)?;
+        Ok(if was_sliding || was_prepared { Changed::Document } else { Changed::Tick })
     }
 
     pub(super) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
-        let most_mm = slider.range_m() * MM_PER_M;
-        within("a ready-made slider in mm", to_mm, -most_mm - 1e-9, most_mm + 1e-9)?;
-        let is_taken = face.slider() == Some(slider);
-        if !is_taken {
+        let max_mm = slider.range_m() * MM_PER_M;
+        within("a ready-made slider in mm", to_mm, -max_mm - 1e-9, max_mm + 1e-9)?;
+        let is_current = face.slider() == Some(slider);
+        if !is_current {
             self.gesture = Gesture::Idle;
-            face.take_slider(slider, &self.choices)?;
+            face.start_slider(slider, &self.choices)?;
         }
         face.slide(slider, to_mm)?;
-        Ok(if is_taken { Changed::Tick } else { Changed::Document })
+        Ok(if is_current { Changed::Tick } else { Changed::Document })
     }
 
     pub(super) fn express(&mut self, expression: Expression, to: f64) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         within("an expression's weight", to, 0.0, 1.0)?;
-        let is_taken = face.expression() == Some(expression);
-        if !is_taken {
+        let is_current = face.expression() == Some(expression);
+        if !is_current {
             self.gesture = Gesture::Idle;
             face.commit(&self.choices);
         }
         face.express(expression, to, &self.choices)?;
-        Ok(if is_taken { Changed::Tick } else { Changed::Document })
+        Ok(if is_current { Changed::Tick } else { Changed::Document })
     }
 
-    pub(super) fn come_to_rest(&mut self) -> Result {
+    pub(super) fn reset_expressions(&mut self) -> Result {
         self.open_face()?;
         self.finish(|face, choices| {
             face.commit(choices);
-            face.change_history(choices, Document::come_to_rest);
+            face.change_history(choices, Document::reset_expressions);
         })
     }
 
-    /// Ends an edit in progress, one way or the other.
+    /// Ends an edit in progress with `end`.
     pub(super) fn finish(&mut self, end: impl FnOnce(&mut OpenFace, &Choices)) -> Result {
         self.gesture = Gesture::Idle;
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
@@ -71,7 +71,7 @@ impl Session {
         let was_dragging = self.has_grabbed();
         let changed = self.finish(OpenFace::cancel)?;
         if was_dragging {
-            self.gesture = Gesture::Over;
+            self.gesture = Gesture::Cancelled;
         }
         Ok(changed)
     }
@@ -116,7 +116,7 @@ impl Session {
     }
 
     pub(super) fn set_density(&mut self, density: u32) -> Result {
-        within("the density", density.into(), 0.0, DENSEST_SHOWN.into())?;
+        within("the density", density.into(), 0.0, MAX_SHOWN_DENSITY.into())?;
         if let Some(face) = &mut self.face {
             face.set_density(density, self.mode, &self.choices)?;
             prepare(face, self.mode, &self.choices, self.seeds.peek());
@@ -147,20 +147,20 @@ impl Session {
     }
 
     pub(super) fn new_mesh(&mut self) {
-        (self.gesture, self.under) = (Gesture::Idle, Under::default());
+        (self.gesture, self.hovered) = (Gesture::Idle, Hovered::default());
     }
 
-    /// The face for others to move.
+    /// The face as a rig with expressions.
     pub(crate) fn rig(&mut self, edits: EditsInRig) -> Result<Rig, SessionError> {
         Ok(Rig::new(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut(), edits)?)
     }
 
-    /// The face in its pieces as it is shown.
+    /// The face as a rig at its current positions.
     pub(crate) fn still_rig(&mut self, edits: EditsInRig) -> Result<Rig, SessionError> {
         Ok(Rig::still(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut(), edits))
     }
 
-    /// What each entry displaced the mesh by.
+    /// Displacement by each entry.
     pub(crate) fn displacements(&mut self) -> Result<Vec<Vec<DVec3>>, SessionError> {
         Ok(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut().displacements())
     }
