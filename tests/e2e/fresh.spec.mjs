@@ -12,7 +12,7 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
   ["project", async (editor) => ({ bytes: await editor.download("save-project"), name: "new.rosto" })],
   ["GLB", async (editor) => ({ bytes: await editor.download("download-glb"), name: "new.glb" })],
 ]))) {
-  test(`after a new ${what} no control shows what was selected, typed or scrolled before`, { tag }, async ({ editor, page }) => {
+  test(`after opening a new ${what}, no control keeps a selection, input or scroll position`, { tag }, async ({ editor, page }) => {
     await editor.untilLoaded();
     const { bytes, name } = await fileOf(editor);
     const fresh = await controls(page);
@@ -24,7 +24,7 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
     await editor.unfold("section-export");
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-verdict='valid']");
-    // Typed, and not entered.
+    // Typed, but not committed.
     await editor.unfold("section-face");
     await page.locator("[data-slider='nose-width'] input[type=number]").fill("7");
     await page.evaluate(() => (document.getElementById("sections").scrollTop = 400));
@@ -37,7 +37,7 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
     assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
     assert.equal(await page.locator("[data-typing]").count(), 0);
 
-    // What was typed for the face before does not come upon this one later.
+    // Unfinished input of the previous face is not committed later.
     await page.locator("#symmetrise-share").focus();
     await page.clock.runFor(1000);
     assert.deepEqual(await editor.history(), []);
@@ -45,7 +45,7 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
   });
 }
 
-test("a search that was not entered is gone with its face", { tag: "@rare" }, async ({ editor, page }) => {
+test("a pending search is cleared when another face opens", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.unfold("section-landmark");
   const help = await page.innerText("#landmark-help");
   await page.fill("#landmark-search", "no such place");
@@ -60,7 +60,7 @@ test("a search that was not entered is gone with its face", { tag: "@rare" }, as
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("another face of a group leaves the visitor at the tab where they are", async ({ visitor, page }) => {
+test("choosing another face of a group keeps the tab", async ({ visitor, page }) => {
   await openGroup(visitor);
   await visitor.findLandmark("nose tip");
   await visitor.unfold("section-face");
@@ -72,7 +72,7 @@ test("another face of a group leaves the visitor at the tab where they are", asy
   assert.equal(await page.inputValue("#landmark-search"), "");
 });
 
-/** What the panel shows of a face. */
+/** The panel's controls that depend on the face. */
 function controls(page) {
   return page.evaluate(() => {
     const value = (id) => document.getElementById(id).value;

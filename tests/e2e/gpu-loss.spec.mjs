@@ -9,23 +9,23 @@ for (const [{ drawn, needs }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ])) {
-  test(`when the graphics process crashes under ${drawn}, the view comes back by itself and the work goes on`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
+  test(`the view and the work recover when the GPU process crashes under ${drawn}`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
     const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
     const gpus = await page.evaluate("gpus.length");
     await crashGpu(page);
     await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
-    assert.ok(difference(before.view, await editor.view()) < 0.001, "the view is not what it was");
+    assert.ok(difference(before.view, await editor.view()) < 0.001, "the view has changed");
     assert.deepEqual(await editor.meshJson("mm"), before.mesh);
     await editor.offset("y", 9);
-    assert.ok(difference(before.view, await editor.view()) > 0.002, "the picture no longer follows");
+    assert.ok(difference(before.view, await editor.view()) > 0.002, "edits no longer change the picture");
     await page.click("#toolbar [data-action='undo']");
     assert.deepEqual(await editor.meshJson("mm"), before.mesh);
     assert.ok(await page.isHidden("#notice"));
   });
 }
 
-test("while WebGL2 stays away the page says so and edits go on, and they show when it is back", { tag: "@webgl" }, async ({ editor, page }) => {
+test("while the WebGL2 context is lost a notice appears and edits continue; they show when it is restored", { tag: "@webgl" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const found = await editor.view();
   const canvas = page.locator("#viewport");
@@ -41,5 +41,5 @@ test("while WebGL2 stays away the page says so and edits go on, and they show wh
   const moved = await editor.view();
   assert.ok(difference(found, moved) > 0.002, "the edit does not show");
   await page.click("#toolbar [data-action='undo']");
-  assert.ok(difference(found, await editor.view()) < 0.001, "the face is not what it was");
+  assert.ok(difference(found, await editor.view()) < 0.001, "the face has changed");
 });

@@ -9,10 +9,10 @@ test.use({ visit: { expert: true } });
 
 const NOSE_TIP = 1;
 const FOREHEAD = 151;
-/** The corners of the mouth, right and left. */
+/** Right and left corner of the mouth. */
 const MOUTH_CORNERS = [61, 291];
 
-test("the pointer over a landmark marks it and names it, and lets go of it beside the face", { tag: "@eyes" }, async ({ editor, page }) => {
+test("hovering a landmark highlights and names it, and leaving it clears both", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagged();
   const beside = await editor.besideTheFace();
@@ -24,7 +24,7 @@ test("the pointer over a landmark marks it and names it, and lets go of it besid
   await editor.frames(2);
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1");
   assert.equal(await editor.cursor(), "move");
-  assert.ok(difference(plain, await editor.view()) > 0, "nothing marks the landmark");
+  assert.ok(difference(plain, await editor.view()) > 0, "the landmark is not highlighted");
   await page.mouse.move(beside.x, beside.y);
   await editor.frames(2);
   assert.ok(await page.isHidden("#landmark-tag"));
@@ -32,7 +32,7 @@ test("the pointer over a landmark marks it and names it, and lets go of it besid
 });
 
 for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])) {
-  test(`a landmark follows the pointer in the view plane, slowly with Shift, and glows as it goes: ${points} points`, { tag: ["@eyes", ...tag] }, async ({ editor, page }) => {
+  test(`a landmark follows the pointer in the view plane, more slowly with Shift, and shows its influence: ${points} points`, { tag: ["@eyes", ...tag] }, async ({ editor, page }) => {
     await page.selectOption("#density", density, { force: true });
     await editor.findLandmark("nose tip");
     const tip = await editor.tagged();
@@ -45,7 +45,7 @@ for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])
     assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
     await page.mouse.up();
     const around = await editor.onView({ x: tip.x, y: tip.y - 40 });
-    assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the response does not glow");
+    assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the influence is not displayed");
     const moved = await editor.meshJson("mm");
     const usual = way(start, moved, NOSE_TIP);
     assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
@@ -56,13 +56,13 @@ for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])
     await editor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
     await page.keyboard.up("Shift");
     const fine = way(moved, await editor.meshJson("mm"), NOSE_TIP);
-    assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm beside ${usual[1]}`);
+    assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm, not a tenth of ${usual[1]}`);
     for (let undo = 0; undo < 2; undo++) await page.click("#toolbar [data-action='undo']");
     assert.deepEqual(await editor.meshJson("mm"), start);
   });
 }
 
-test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.reach("#mirror");
   await page.uncheck("#mirror");
   await editor.findLandmark("nose tip");
@@ -75,7 +75,7 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
     await page.mouse.up();
     const along = way(start, await editor.meshJson("mm"), NOSE_TIP);
     const others = along.filter((_, other) => other !== axis);
-    // From the front, the axis out of the face is seen end-on: up comes nearer.
+    // From the front, the z axis points at the viewer: moving up means nearer.
     assert.ok(along[axis] > 0.5 && Math.hypot(...others) < 1e-9, `${key}: ${along}`);
     await page.click("#toolbar [data-action='undo']");
   }
@@ -84,7 +84,7 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
   await page.keyboard.press("Escape");
   const rest = await editor.view();
   await page.mouse.move(tip.x + 80, tip.y + 40, { steps: 3 });
-  assert.equal(difference(rest, await editor.view()), 0, "the rest of the drag did something");
+  assert.equal(difference(rest, await editor.view()), 0, "the cancelled drag still had an effect");
   await page.mouse.up();
   assert.deepEqual(await editor.meshJson("mm"), start);
   assert.deepEqual(await editor.history(), []);
@@ -92,10 +92,10 @@ test("X, Y and Z keep a drag to an axis, and Escape puts everything back", { tag
 
   await page.focus("#viewport");
   await page.keyboard.press("Escape");
-  assert.ok(await page.isHidden("#landmark-tag"), "Escape did not let go");
+  assert.ok(await page.isHidden("#landmark-tag"), "Escape did not clear the selection");
 });
 
-test("the wheel widens and narrows the reach of a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the wheel changes the influence radius during a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagged();
   const start = await editor.meshJson("mm");
@@ -118,16 +118,15 @@ test("the wheel widens and narrows the reach of a drag, which stays one edit", {
   assert.equal((await editor.history()).length, 1);
   const after = await editor.meshJson("mm");
   assert.ok(way(start, after, NOSE_TIP)[1] > 1);
-  // What lies between a landmark that moves and one that stays goes a part of the way.
+  // Geodesic distances are at least as long as straight ones, so these vertices are outside the influence radius.
   for (const [vertex, place] of start.positions.slice(0, LANDMARKS).entries()) {
     const apart_mm = Math.hypot(...place.map((at, axis) => at - start.positions[NOSE_TIP][axis]));
     const moved_mm = Math.hypot(...way(start, after, vertex));
-    // No way along the skin is shorter than the straight one.
     if (apart_mm > radii_mm[2]) assert.ok(moved_mm < 1e-6, `vertex ${vertex}, ${apart_mm} mm away, moved by ${moved_mm} mm`);
   }
 });
 
-test("the other side follows where the mirror is on, and its plane is a hairline while a drag runs", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("with mirroring the other side follows, and the symmetry plane is drawn during a drag", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark(String(MOUTH_CORNERS[0]));
   const start = await editor.meshJson("mm");
   await editor.offset("x", -4);
@@ -136,7 +135,7 @@ test("the other side follows where the mirror is on, and its plane is a hairline
   assert.ok(Math.abs(right + 4) < 1e-9 && Math.abs(left - 4) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
 
-  // The forehead, which an edit of the mouth leaves alone.
+  // The forehead, which an edit of the mouth does not change.
   const forehead = await editor.landmarkPlace(FOREHEAD);
   const corner = await editor.landmarkPlace(MOUTH_CORNERS[0]);
   const plain = await editor.view();
@@ -147,15 +146,15 @@ test("the other side follows where the mirror is on, and its plane is a hairline
     await page.mouse.up();
     return differenceNear(plain, seen, await editor.onView(forehead), 6);
   };
-  assert.ok((await whileDragging()) > 0, "the plane is not drawn");
+  assert.ok((await whileDragging()) > 0, "the symmetry plane is not drawn");
   await editor.reach("#mirror");
   await page.uncheck("#mirror");
-  assert.equal(await whileDragging(), 0, "a plane is drawn without the mirror");
+  assert.equal(await whileDragging(), 0, "the symmetry plane is drawn without mirroring");
   await editor.offset("x", -4);
   assert.ok(Math.abs(way(start, await editor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
 });
 
-test("a click with Alt pins a landmark, which then stays, and unpins it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("Alt and a click pin a landmark, which then stays in place, and unpin it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark(String(MOUTH_CORNERS[0]));
   const corner = await editor.tagged();
   await editor.findLandmark("nose tip");
@@ -173,7 +172,7 @@ test("a click with Alt pins a landmark, which then stays, and unpins it", { tag:
   assert.ok(!(await editor.anchors()).includes(MOUTH_CORNERS[0]));
 });
 
-test("every operator and constraint says in a line what it does, and does what the command line does", { tag: "@rare" }, async ({ editor, page }) => {
+test("each operator and constraint has a description and gives the command line's result", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const said = new Set();
   const operators = await page.locator("#operator option").evaluateAll((options) => options.map((option) => option.value));

@@ -7,27 +7,27 @@ import { asJpeg } from "./pictures.mjs";
 import { difference, differenceNear, differingBox, largestStep } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** Where the portrait's nose is, in its px, and a place beyond the ring around the face. */
+/** The portrait's nose, in px. */
 const NOSE = { x: 225, y: 125 };
-/** What the ring of the usual width can reach at most around the portrait's face, px. */
+/** Bounds of the default falloff band around the portrait's face, px. */
 const REACH = { left: 120, top: 20, right: 320, bottom: 250 };
 
 const sample = async () => PNG.sync.read(await readFile(SAMPLE));
 
-/** The photo that the page saves. @param {import("./visitor.mjs").Visitor} visitor */
+/** The photo as the page saves it. @param {import("./visitor.mjs").Visitor} visitor */
 const photoOf = async (visitor) => PNG.sync.read(await visitor.download("download-photo-png"));
 
-/** The photo that the command line makes. @param {string[]} options */
+/** The photo as the command line saves it. @param {string[]} options */
 const byCommandLine = async (options) => PNG.sync.read(await photoByCommandLine(SAMPLE, ["--topology", "canonical", ...options]));
 
-test("the photo leaves the page as it came; edits change nothing beyond the ring, and are the command line's", async ({ visitor }) => {
+test("an unedited photo is saved unchanged; edits stay within the falloff band and equal the command line's", async ({ visitor }) => {
   await visitor.dropSample();
   const before = await sample();
   assert.deepEqual((await photoOf(visitor)).data, before.data);
   await visitor.slide("nose-width", -4);
   await visitor.slide("jaw-width", -6);
   const after = await photoOf(visitor);
-  assert.ok(differenceNear(before, after, NOSE, 12) > 0.1, "the nose is as it was");
+  assert.ok(differenceNear(before, after, NOSE, 12) > 0.1, "the nose has not changed");
   const box = differingBox(before, after);
   assert.ok(box.left >= REACH.left && box.top >= REACH.top && box.right <= REACH.right && box.bottom <= REACH.bottom, JSON.stringify(box));
   await visitor.slide("chin-length", 6);
@@ -36,7 +36,7 @@ test("the photo leaves the page as it came; edits change nothing beyond the ring
   assert.ok(step <= 1, String(step));
 });
 
-test("a wider ring moves more of the photo, a narrow one less", { tag: "@rare" }, async ({ editor }) => {
+test("a wider falloff band moves more of the photo", { tag: "@rare" }, async ({ editor }) => {
   await editor.slide("face-length", 8);
   const widths = [];
   for (const share of [10, 35, 80]) {
@@ -49,7 +49,7 @@ test("a wider ring moves more of the photo, a narrow one less", { tag: "@rare" }
   assert.ok(widths[0] + 20 < widths[1] && widths[1] + 20 < widths[2], JSON.stringify(widths));
 });
 
-test("the face seen from further away, from nearer, and as it was taken", { tag: "@rare" }, async ({ editor }) => {
+test("the photo can be viewed from further away, from nearer, and as taken", { tag: "@rare" }, async ({ editor }) => {
   const photos = [];
   for (const cm of [30, 300]) {
     await editor.unfold("section-in-photo");
@@ -64,7 +64,7 @@ test("the face seen from further away, from nearer, and as it was taken", { tag:
   assert.equal(difference(await photoOf(editor), await sample()), 0);
 });
 
-test("a transparent photo leaves the page transparent as a PNG, and over white as a JPEG", async ({ visitor }) => {
+test("a transparent photo stays transparent as PNG, and becomes white as JPEG", async ({ visitor }) => {
   const before = await sample();
   for (let pixel = 0; pixel < before.width * before.height; pixel++) {
     if (pixel % before.width >= before.width - 100) before.data[4 * pixel + 3] = 0;
@@ -78,7 +78,7 @@ test("a transparent photo leaves the page transparent as a PNG, and over white a
   assert.ok(Math.min(...colour) > 250, `${colour}`);
 });
 
-test("a photo of twelve megapixels comes out whole and upright, and says nothing of where it was taken", async ({ visitor, page }) => {
+test("a 12-megapixel photo is saved at full size, upright and without EXIF data", async ({ visitor, page }) => {
   await visitor.drop(withExif(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 })), "selfie.jpg");
   await visitor.untilFace();
   const before = await photoOf(visitor);
@@ -94,7 +94,7 @@ test("a photo of twelve megapixels comes out whole and upright, and says nothing
   assert.deepEqual([width, height], [4000, 3000]);
 });
 
-/** The size of a picture, which the browser reads, and the colour of a pixel near its upper right corner. */
+/** Size of a picture, and colour of a pixel near its upper right corner. */
 function decoded(page, bytes) {
   return page.evaluate(async (bytes) => {
     const bitmap = await createImageBitmap(new Blob([bytes]));
@@ -105,7 +105,7 @@ function decoded(page, bytes) {
   }, new Uint8Array(bytes));
 }
 
-/** A JPEG with an EXIF segment that says where it was taken, as text. @param {Buffer} jpeg */
+/** A JPEG with an EXIF segment that contains a location. @param {Buffer} jpeg */
 function withExif(jpeg) {
   const tiff = Buffer.concat([Buffer.from("Exif\0\0MM\0\x2a\0\0\0\x08\0\0\0\0\0\0", "latin1"), Buffer.from("GPS Somewhere")]);
   const head = Buffer.from([0xff, 0xe1, 0, 0]);

@@ -5,11 +5,11 @@ import { alike, test } from "./fixtures.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST } from "./server.mjs";
 
-/** What the worker cannot do without. */
+/** Files that the worker requires. */
 const OF_THE_WORKER = ["assets/face_detector.onnx", "assets/face_landmarks_attention.onnx", "wasm/rosto-vision-web_bg.wasm"];
 
 for (const [file, tag] of alike(OF_THE_WORKER)) {
-  test(`a ${path.extname(file)} of which one bit is another is not used (${path.basename(file)}), and nothing is lost`, { tag }, async ({ visitor, page, server }) => {
+  test(`a ${path.extname(file)} with a flipped bit is not used (${path.basename(file)}), and the work stays`, { tag }, async ({ visitor, page, server }) => {
     await visitor.dropSample();
     await visitor.move("nose tip", "z", 7);
     const work = await visitor.meshJson("mm");
@@ -23,7 +23,7 @@ for (const [file, tag] of alike(OF_THE_WORKER)) {
     const { code, text } = await visitor.notice();
     assert.equal(code, "not-as-built");
     assert.match(text, /failed its integrity check.*Reload the page.*your work is still here/s);
-    assert.ok(asked.length >= 2, "it was not asked for once more");
+    assert.ok(asked.length >= 2, "the file was not requested again");
     await visitor.speak("pt");
     assert.match((await visitor.notice()).text, /não passou na verificação de integridade.*Recarregue/s);
     await visitor.speak("en");
@@ -36,7 +36,7 @@ for (const [file, tag] of alike(OF_THE_WORKER)) {
 }
 
 for (const [file, tag] of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
-  test(`a visitor's first page with a damaged ${path.basename(file)} says what is the matter`, { tag }, async ({ open, server }) => {
+  test(`a first visit with a damaged ${path.basename(file)} shows the right error`, { tag }, async ({ open, server }) => {
     await damage(server, file);
     const visitor = await open();
     assert.equal((await visitor.notice()).code, "not-as-built");
@@ -47,7 +47,7 @@ for (const [file, tag] of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.jso
   });
 }
 
-test("one damaged answer is asked for again, and nobody notices", async ({ open, server }) => {
+test("after one damaged response the file is requested again without a notice", async ({ open, server }) => {
   const asked = await damage(server, OF_THE_WORKER[0], 1);
   const visitor = await open();
   await visitor.dropSample();
@@ -55,10 +55,10 @@ test("one damaged answer is asked for again, and nobody notices", async ({ open,
   assert.ok(await visitor.page.isHidden("#notice"));
 });
 
-/** Has the server answer `times` times with a file of which one bit is another. @returns {Promise<string[]>} an entry for each request */
+/** Makes the server flip one bit of a file in the first `times` responses. @returns {Promise<string[]>} one entry per request */
 async function damage(server, file, times = Infinity) {
   const bytes = await readFile(path.join(DIST, file));
-  // In the data of a module and among the weights of a network, where nothing else would notice; in the list a letter of a hash.
+  // In a module's data, a network's weights, or a hash of the list, where only the integrity check detects it.
   const place = file.endsWith(".json") ? bytes.indexOf("sha256-") + 9 : bytes.length - 2000;
   bytes[place] ^= 1;
   const type = file.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";

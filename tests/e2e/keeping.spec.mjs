@@ -3,10 +3,10 @@ import { alike, test } from "./fixtures.mjs";
 import { untilKept } from "./kept.mjs";
 import { refuseDatabase } from "./watches.mjs";
 
-/** How far the selected landmark is moved out, mm. */
+/** Number field of the selected landmark's z offset, in mm. */
 const NOSE_OUT = "#landmark-sliders [data-axis='z'] input[type=number]";
 
-test("an edit a moment before a reload, or before the tab is closed, is kept", async ({ visitor, page }) => {
+test("an edit just before a reload or before closing the tab is saved", async ({ visitor, page }) => {
   await visitor.openFace();
   await visitor.move("nose tip", "z", 3);
   await untilKept(page);
@@ -26,9 +26,9 @@ test("an edit a moment before a reload, or before the tab is closed, is kept", a
   assert.equal(await noseOut(next), 7);
 });
 
-test("an edit is kept however long before the reload it was made", { tag: "@rare" }, async ({ editor, page }) => {
+test("an edit is saved at any time before a reload", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
-  // Around the pause after which the database is told, it has been asked and has not answered.
+  // Around the debounce delay, the database has been asked and has not answered.
   for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
     await editor.findLandmark("nose tip");
     await typeAndReload(page, place + 2, wait_ms);
@@ -39,7 +39,7 @@ test("an edit is kept however long before the reload it was made", { tag: "@rare
 
 const REFUSALS = Object.entries({ throws: refuseDatabase, "answers with an error": refuseByError, "is full": refuseByFullness });
 for (const [[how, refuse], tag] of alike(REFUSALS)) {
-  test(`where the database ${how}, the page says once that nothing is kept, and the work goes on`, { tag }, async ({ open }) => {
+  test(`if the database ${how}, a notice says once that work cannot be saved, and editing continues`, { tag }, async ({ open }) => {
     const visitor = await open({ scripts: [refuse] });
     const { page } = visitor;
     await visitor.openFace();
@@ -55,7 +55,7 @@ for (const [[how, refuse], tag] of alike(REFUSALS)) {
     assert.notDeepEqual(work, found);
     await page.waitForFunction((before) => globalThis.refusals > before, refusals);
     await visitor.frames(2);
-    assert.ok(await page.isHidden("#notice"), "it is said again");
+    assert.ok(await page.isHidden("#notice"), "the notice is repeated");
     const project = await visitor.download("save-project");
     await page.click("#toolbar [data-action='undo']");
     assert.deepEqual(await visitor.meshJson("mm"), found);
@@ -63,17 +63,17 @@ for (const [[how, refuse], tag] of alike(REFUSALS)) {
     await visitor.untilFace();
     await page.waitForSelector("#history li", { state: "attached" });
     assert.deepEqual(await visitor.meshJson("mm"), work);
-    assert.ok(await page.isHidden("#notice"), "it is said again");
+    assert.ok(await page.isHidden("#notice"), "the notice is repeated");
   });
 }
 
-/** How far the nose tip was moved out, mm. */
+/** z offset of the nose tip, in mm. */
 async function noseOut(visitor) {
   await visitor.findLandmark("nose tip");
   return Number(await visitor.page.inputValue(NOSE_OUT));
 }
 
-/** Types a number, and reloads in the same task or after a while. */
+/** Enters a number and reloads, immediately or after a delay. */
 async function typeAndReload(page, offset_mm, wait_ms = 0) {
   const typed = page.locator(NOSE_OUT).evaluate(
     async (input, { offset_mm, wait_ms }) => {
@@ -84,11 +84,11 @@ async function typeAndReload(page, offset_mm, wait_ms = 0) {
     },
     { offset_mm, wait_ms },
   );
-  // A page that goes may take its answer along.
+  // A reload may discard the result.
   await Promise.all([page.waitForEvent("framenavigated"), typed.catch(() => {})]);
 }
 
-/** Runs in the page, as everything below, and counts in `refusals`. */
+/** Runs in the page; counts attempts in `refusals`. */
 function refuseByError() {
   globalThis.refusals = 0;
   IDBFactory.prototype.open = () => {

@@ -4,7 +4,7 @@ import { difference } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("everything from photo to file by keyboard alone", async ({ visitor, page }) => {
+test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page }) => {
   await visitor.untilLoaded();
 
   await page.focus("#drop-zone");
@@ -38,15 +38,15 @@ test("everything from photo to file by keyboard alone", async ({ visitor, page }
   const undone = await page.textContent("#announcement");
   await page.keyboard.press("Control+z");
   assert.equal(undone?.trim(), "Undone");
-  assert.notEqual(await page.textContent("#announcement"), undone, "undone twice, said once");
+  assert.notEqual(await page.textContent("#announcement"), undone, "a repeated undo is not announced");
   await page.keyboard.press("Control+y");
   assert.equal((await visitor.history()).length, 1);
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='y'] input[type=number]"), "0");
 });
 
-test("the first stop of the keyboard leads past everything to the search, whichever tab hides it", { tag: "@rare" }, async ({ editor, page }) => {
+test("the skip link leads to the search on each tab", { tag: "@rare" }, async ({ editor, page }) => {
   await page.keyboard.press("Tab");
-  assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the first stop is another");
+  assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the skip link is not the first tab stop");
   for (const [name, landmark] of [["nose tip", 1], ["bottom of the chin", 152]]) {
     await page.focus(".skip-link");
     await page.keyboard.press("Enter");
@@ -57,7 +57,7 @@ test("the first stop of the keyboard leads past everything to the search, whiche
   }
 });
 
-test("the camera follows the keys while the view has the focus", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("keys move the camera while the view has the focus", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await page.focus("#viewport");
   const start = await editor.view();
   for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t", "w"]) {
@@ -73,7 +73,7 @@ test("the camera follows the keys while the view has the focus", { tag: ["@eyes"
   assert.ok(difference(start, await editor.view()) < 0.001, "Space did not reset the view");
 });
 
-/** What Tab reaches with each of the panel's tabs, beside what stands on each of them. */
+/** Tab stops of each tab of the panel. */
 const STOPS = {
   shape: ["section-photo", "photo-change", "Nose width, in millimetres", "symmetrise", "selection", "landmark-search", "preset", "mirror", "reset-selection", "operator", "anchors-shown", "run-paper"],
   view: ["shading", "wireframe", "density", "view-left"],
@@ -82,7 +82,7 @@ const STOPS = {
 const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];
 
 for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
-  test(`Tab goes through everything on the tab ${tab}, and shows the whole of a ring around where it is`, { tag }, async ({ editor, page }) => {
+  test(`Tab reaches each control on the ${tab} tab, with a complete focus ring`, { tag }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 3);
     await editor.unfold("section-paper");
     await page.click(`#tab-${tab}`);
@@ -99,7 +99,7 @@ for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
   });
 }
 
-test("a question mark lists the keys, but not where text is typed; in a dialog the ring is whole, too", { tag: "@rare" }, async ({ open }) => {
+test("a question mark opens the list of keys, except while typing; dialogs show complete focus rings", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 720, height: 450 } });
   const { page } = visitor;
   await visitor.openFace();
@@ -122,14 +122,14 @@ test("a question mark lists the keys, but not where text is typed; in a dialog t
   }
 });
 
-/** What has the focus, whether it had it before, and what keeps a visitor from seeing that. Runs in the page. */
+/** The focused element, whether it was focused before, and problems of its focus ring. Runs in the page. */
 function focused() {
   const element = document.activeElement;
   const fold = element.matches("summary") ? element.parentElement.id : "";
   const name = element.id || fold || element.dataset.action || element.name || element.getAttribute("aria-label") || element.innerText;
   const isKnown = element === document.body || element.hasAttribute("data-was-focused");
   element.setAttribute("data-was-focused", "");
-  // The radio buttons of a segmented choice are their labels.
+  // Radio buttons of a segmented control are represented by their labels.
   const shows = element.type === "radio" ? element.nextElementSibling : element;
   const { outlineStyle, outlineWidth, outlineOffset } = getComputedStyle(shows);
   const { left, right, top, bottom } = shows.getBoundingClientRect();
@@ -141,7 +141,7 @@ function focused() {
   const faults = [!isOutlined && "it has no outline", !isInSight && "it is out of sight", cutter()];
   return { name, isKnown, faults: faults.filter(Boolean) };
 
-  /** What clips the ring, or lies over the middle of one of its sides. */
+  /** Element that clips the ring or covers the centre of a side. */
   function cutter() {
     for (let up = shows.parentElement; up; up = up.parentElement) {
       if (up !== document.body && getComputedStyle(up).overflow === "visible") continue;
@@ -154,7 +154,7 @@ function focused() {
     return over && `its ring is covered by ${over.id || over.className || over.tagName}`;
   }
 
-  /** Of what does not belong to the element only what has a layer of its own is drawn over its outline. */
+  /** Other elements cover the outline only if they are positioned. */
   function liesOver(hit) {
     const own = shows.closest("label") ?? shows;
     for (let up = hit; up && !up.contains(own) && !own.contains(up); up = up.parentElement) {

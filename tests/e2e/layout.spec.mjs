@@ -6,7 +6,7 @@ import { chinFindings } from "./chin.mjs";
 import { alike, test } from "./fixtures.mjs";
 import { STATES, withHeldWork, wrongWith } from "./states.mjs";
 
-/** Windows smaller than, or between, those of the contact sheets, and the states that are looked at in them. */
+/** Windows smaller than the common ones, and the states tested in them. */
 const SMALL = [{ width: 320, height: 568 }, { width: 640, height: 360 }];
 const SEEN_SMALL = STATES.filter(({ id }) => ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"].includes(id));
 
@@ -17,9 +17,9 @@ const WINDOWS = [
 
 for (const [{ states, ...options }, tag] of WINDOWS) {
   const { width, height } = options.viewport;
-  test(`in a window of ${width} × ${height} nothing overlaps, is cut or covered, in either language`, { tag }, async ({ open }) => {
+  test(`in a window of ${width} × ${height}, nothing overlaps or is cut or covered in either language`, { tag }, async ({ open }) => {
     const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
-    /** Each finding with the state in which it was first seen. @type {Map<string, string>} */
+    /** Each finding with the first state that has it. @type {Map<string, string>} */
     const found = new Map();
     for (const state of states) {
       await state.enter(visitor);
@@ -33,17 +33,17 @@ for (const [{ states, ...options }, tag] of WINDOWS) {
   });
 }
 
-test("all of the face is in what a window leaves free, and again whenever the window becomes another", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
+test("the face stays within the uncovered part of the stage when the window changes", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await open({ colorScheme: "light" });
   await visitor.openFace();
   for (const { id, options } of [...AUDIENCES, ...AUDIENCES.toReversed()]) {
     await visitor.page.setViewportSize(options.viewport);
-    // The camera glides there.
+    // The camera is animated.
     await expect.poll(() => chinFindings(visitor), { message: id }).toEqual([]);
   }
 });
 
-/** Faults, each put into a page that has none. @type {[string, string, string, RegExp][]} */
+/** Faults to inject into a page without findings. @type {[string, string, string, RegExp][]} */
 const FAULTS = [
   ["overlaps", "#hint", "bottom: 24px", /#hint and #toolbar overlap by/],
   ["leaves the window", "#hint", "left: -40px; transform: none", /#hint leaves #stage sideways by 40 px/],
@@ -53,7 +53,7 @@ const FAULTS = [
   ["scrolls sideways", "#section-photo", "width: 400px", /#sections scrolls sideways by/],
 ];
 
-test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sideways is found", async ({ open }) => {
+test("each kind of layout fault is found", async ({ open }) => {
   const visitor = await open({ viewport: { width: 1280, height: 800 } });
   const { page } = visitor;
   await visitor.openFace();
@@ -63,7 +63,7 @@ test("what overlaps, leaves the window, is cut, wraps, is covered or scrolls sid
     const before = await element.evaluate(({ style }) => style.cssText);
     await element.evaluate((element, style) => (element.style.cssText += style), style);
     const found = await findings(page);
-    assert.ok(found.some((what) => sign.test(what)), `nothing ${fault}: ${found.join("; ")}`);
+    assert.ok(found.some((what) => sign.test(what)), `not found: ${fault}; found: ${found.join("; ")}`);
     await element.evaluate((element, style) => (element.style.cssText = style), before);
   }
   assert.deepEqual(await findings(page), []);

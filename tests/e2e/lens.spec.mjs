@@ -6,7 +6,7 @@ import { difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const LENSES = ["portrait", "parallel", "near", "as-taken"];
-/** Nose tip, chin, the outer corners of the eyes, the corners of the mouth. */
+/** Nose tip, chin, outer corners of the eyes, corners of the mouth. */
 const ALL_OVER = [1, 152, 33, 263, 61, 291];
 
 /** @param {import("./visitor.mjs").Visitor} visitor @param {string} lens */
@@ -16,7 +16,7 @@ async function chooseLens(visitor, lens) {
   await visitor.frames(3);
 }
 
-test("each lens shows the face another way, on the page and in a picture, and says how", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("each lens changes the view and the saved picture, and has a description", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
   const [views, pictures, helps] = [[], [], new Set()];
@@ -31,29 +31,29 @@ test("each lens shows the face another way, on the page and in a picture, and sa
   for (const [other, another] of LENSES.entries()) {
     for (const [one, lens] of LENSES.slice(0, other).entries()) {
       assert.ok(differenceNear(views[one], views[other], middle, 200) > 0.02, `${lens} looks like ${another}`);
-      assert.ok(difference(pictures[one], pictures[other]) > 0.01, `${lens} is kept like ${another}`);
+      assert.ok(difference(pictures[one], pictures[other]) > 0.01, `${lens} is saved like ${another}`);
     }
   }
   await chooseLens(editor, "portrait");
   await page.click("#toolbar [data-action='reset-view']");
-  assert.equal(difference(views[0], await editor.view()), 0, "the portrait did not come back");
+  assert.equal(difference(views[0], await editor.view()), 0, "the portrait was not restored");
   assert.deepEqual(await editor.history(), []);
 });
 
 for (const lens of ["parallel", "near"]) {
-  test(`with a lens, what lights up under the pointer is what a press takes: ${lens}`, { tag: "@rare" }, async ({ editor, page }) => {
+  test(`with a lens, a press grabs the highlighted point: ${lens}`, { tag: "@rare" }, async ({ editor, page }) => {
     await chooseLens(editor, lens);
-    // Turned, raised and nearer, so that no axis of the view is one of the face's.
+    // Turned, raised and nearer, so that the view's axes differ from the face's.
     await page.focus("#viewport");
     for (const key of ["ArrowLeft", "ArrowUp", "Alt+ArrowUp"]) await page.keyboard.press(key);
     await editor.frames(3);
     const { lit, turned } = await editor.takeAtEach(7);
-    assert.ok(lit >= 7, `${lit} places light up`);
-    assert.deepEqual(turned, [], "lit places that a press does not take");
+    assert.ok(lit >= 7, `${lit} points are highlighted`);
+    assert.deepEqual(turned, [], "highlighted points that a press does not grab");
   });
 }
 
-test("as photographed, the mesh lies where the face is in the photo, and the lens is kept", async ({ editor, page }) => {
+test("with the photo's lens, the mesh matches the photo, and the lens is saved", async ({ editor, page }) => {
   await chooseLens(editor, "as-taken");
   const { width, height } = PNG.sync.read(await readFile(SAMPLE));
   const { positions } = await editor.meshJson("image");

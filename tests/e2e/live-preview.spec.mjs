@@ -1,4 +1,4 @@
-// The mirror: the camera on the stage, with the edits of the face that is open.
+// Live preview: the camera on the stage, with the edits of the open face.
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
@@ -14,12 +14,12 @@ import { dieBefore } from "./watches.mjs";
 
 const NOSE_TIP = 4;
 const NOSE_MM = 5;
-/** How far the edit may be behind the face at most. */
+/** Maximum delay of the edit behind the face. */
 const LAG_S = 0.06;
 
 test.use({ visit: { expert: true, scripts: [watchCamera, watchFrames] } });
 
-test("in the mirror the film is seen with its sides swapped, and with the edits where the face is", { tag: "@seen-camera" }, async ({ visitor, page }) => {
+test("the live preview mirrors the camera and shows the edits on the face", { tag: "@seen-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
   await openLivePreview(visitor);
@@ -28,7 +28,7 @@ test("in the mirror the film is seen with its sides swapped, and with the edits 
   const nose = (await portraitLandmarks())[NOSE_TIP];
   for (let time = 0; time < 3; time += 1) {
     await visitor.frames(30);
-    // No frame more comes, and what was on its way is there.
+    // Stops new frames and waits for pending ones.
     await page.evaluate("isFrozen = true");
     await page.waitForFunction(() => window.following === 0);
     const now = await streamOf(visitor);
@@ -38,29 +38,29 @@ test("in the mirror the film is seen with its sides swapped, and with the edits 
     await page.keyboard.up("b");
     await page.evaluate("isFrozen = false");
 
-    // The ground of the film is the redder the further to the right.
+    // In the video, the background is redder towards the right.
     const [left] = meanColour(now, { left: 0.02, right: 0.1, top: 0.1, bottom: 0.3 });
     const [right] = meanColour(now, { left: 0.9, right: 0.98, top: 0.1, bottom: 0.3 });
-    assert.ok(right > left + 100, `turned back, the film is the right way round: ${left}, ${right}`);
+    assert.ok(right > left + 100, `the preview is not mirrored: ${left}, ${right}`);
 
     const number = numberOf(unedited);
     const [x, y] = carried(placeIn(number), nose);
-    assert.ok(differenceNear(now, unedited, { x, y }, 24) > 0.1, "the nose is another");
+    assert.ok(differenceNear(now, unedited, { x, y }, 24) > 0.1, "the nose has not changed");
     for (const [cx, cy] of [[40, 40], [600, 40], [40, 400], [600, 440]]) {
-      assert.equal(differenceNear(now, unedited, { x: cx, y: cy }, 24), 0, "the film's corners are the same");
+      assert.equal(differenceNear(now, unedited, { x: cx, y: cy }, 24), 0, "a corner of the video has changed");
     }
     const off_px = middleOfChange(now, unedited) - x;
-    assert.ok(Math.abs(off_px) < SPEED_PX_S * LAG_S, `in frame ${number} the edit is ${off_px} px beside the nose`);
+    assert.ok(Math.abs(off_px) < SPEED_PX_S * LAG_S, `in frame ${number} the edit is ${off_px} px off the nose`);
   }
   await page.click("#live-close");
   assert.equal((await camera(visitor)).live, 0);
 });
 
-test("what is seen in the mirror is kept as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
+test("the live preview can be saved as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.slide("nose-width", NOSE_MM);
   await openLivePreview(visitor);
-  // An edit that is made in the mirror is kept as well.
+  // An edit made during the preview is saved, too.
   await visitor.slide("eye-size", 2);
   await page.click("#live-save");
   await page.waitForSelector("#live", { state: "hidden" });
@@ -72,7 +72,7 @@ test("what is seen in the mirror is kept as a photo with its edits, and the came
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
 });
 
-test("without a face open, the first one that the camera sees is opened; a double click opens one camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
+test("without an open face, the live preview opens the first face, and a double click opens one camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 390, height: 844 } });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -80,21 +80,21 @@ test("without a face open, the first one that the camera sees is opened; a doubl
   await visitor.untilFace();
   await untilShown(visitor);
   assert.equal(await page.getAttribute("body", "data-scene"), "picture");
-  // It rests for a part of the film.
+  // The face rests for a part of the video.
   await expect(async () => {
     const { age, interval_ms, jitter_px } = await figures(visitor);
     assert.ok(age <= 1 + (2 * interval_ms * FRAMES_PER_S) / 1000, `${age} frames old, every ${interval_ms} ms`);
-    assert.ok(jitter_px < 0.3, `it trembles by ${jitter_px} px`);
+    assert.ok(jitter_px < 0.3, `jitter of ${jitter_px} px`);
   }).toPass({ timeout: 30_000, intervals: [200] });
-  assert.deepEqual(await findings(page), [], "on a phone nothing is cut and nothing overlaps");
+  assert.deepEqual(await findings(page), [], "layout on a phone");
   await page.keyboard.press("Escape");
   await page.waitForSelector("#live", { state: "hidden" });
   assert.equal(await page.getAttribute("body", "data-state"), "face");
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
-  assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0", "nothing was sent");
+  assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0", "a request was made");
 });
 
-test("in the mirror a face is lost and found, a worker that dies is said, and a hidden page has no camera", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
+test("the live preview handles lost faces, worker crashes and hidden pages", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await openLivePreview(visitor);
   await page.evaluate(() => (window.isBlank = true));
@@ -113,7 +113,7 @@ test("in the mirror a face is lost and found, a worker that dies is said, and a 
   await page.waitForSelector("#live-save:enabled");
   assert.deepEqual(await camera(visitor), { asked: 2, tracks: 2, live: 1 });
 
-  // The other camera takes its place.
+  // The photo camera takes over.
   await visitor.unfold("section-photo");
   await page.click("#section-photo [data-action='camera']");
   await page.waitForSelector("#camera-shutter:enabled");
@@ -121,7 +121,7 @@ test("in the mirror a face is lost and found, a worker that dies is said, and a 
   assert.equal((await camera(visitor)).live, 1);
 });
 
-test("a camera that is refused or unplugged ends the mirror, and says why", { tag: "@moving-camera" }, async ({ visitor, page }) => {
+test("a refused or unplugged camera closes the live preview with a notice", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(() => (window.isRefused = true));
   await page.click("#welcome [data-action='live-preview']");
@@ -134,11 +134,11 @@ test("a camera that is refused or unplugged ends the mirror, and says why", { ta
   assert.equal((await visitor.notice()).code, "camera-lost");
   assert.ok(await page.isHidden("#live"));
   assert.equal((await camera(visitor)).live, 0);
-  // The photo is there again, and is turned as before.
+  // The photo and its 3D view are restored.
   await page.waitForFunction(() => document.body.dataset.scene === "solid");
 });
 
-/** Opens the mirror over the face that is open, and waits until the stage shows it. @param {Visitor} visitor */
+/** Opens the live preview over the open face and waits until the stage shows it. @param {Visitor} visitor */
 async function openLivePreview(visitor) {
   await visitor.unfold("section-photo");
   await visitor.page.click("#section-photo [data-action='live-preview']");
@@ -159,7 +159,7 @@ function figures({ page }) {
   return page.locator("#live-figures").evaluate(numbers);
 }
 
-/** The film as the stage shows it, turned back and as large as it came. @param {Visitor} visitor */
+/** The preview as the stage shows it, unmirrored and at the camera's size. @param {Visitor} visitor */
 async function streamOf(visitor) {
   const view = await visitor.view();
   const covered = await visitor.page.evaluate(() => {
@@ -180,7 +180,7 @@ async function streamOf(visitor) {
   return { width: WIDTH_PX, height: HEIGHT_PX, data };
 }
 
-/** How far from the left two pictures differ, on average, px. @param {Pixels} a @param {Pixels} b */
+/** Mean x position of the differences between two pictures, px. @param {Pixels} a @param {Pixels} b */
 function middleOfChange(a, b) {
   let [sum, weights] = [0, 0];
   for (let at = 0; at < a.data.length; at += 4) {
@@ -191,7 +191,7 @@ function middleOfChange(a, b) {
   return sum / weights;
 }
 
-/** As the browser does when another tab comes before this one. @param {Visitor} visitor @param {string} state */
+/** Simulates a change of the page's visibility. @param {Visitor} visitor @param {string} state */
 function show({ page }, state) {
   return page.evaluate((state) => {
     Object.defineProperty(document, "visibilityState", { configurable: true, get: () => state });
@@ -199,7 +199,7 @@ function show({ page }, state) {
   }, state);
 }
 
-/** Runs in the page before its own scripts: frames that never come, frames of nothing, and how many the worker has not answered. */
+/** Runs in the page before its own scripts: can block frames, blank them, and counts frames without a reply. */
 function watchFrames() {
   const bitmapOf = window.createImageBitmap.bind(window);
   window.createImageBitmap = async (source, ...options) => {

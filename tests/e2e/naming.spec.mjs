@@ -5,7 +5,7 @@ import { untilKept } from "./kept.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("files are named after the photo, over a reload and out of a file of ours", async ({ visitor, page }) => {
+test("files are named after the photo, also after a reload and from saved files", async ({ visitor, page }) => {
   await visitor.dropSample('ana: "Rio" 7.2.png');
   const actions = { "download-glb": "glb", "download-json": "json", "download-picture": "png", "save-project": "rosto" };
   for (const [action, ending] of Object.entries(actions)) assert.equal(await nameOf(visitor, action), `ana Rio 7.2.${ending}`);
@@ -19,7 +19,7 @@ test("files are named after the photo, over a reload and out of a file of ours",
   await visitor.comeBack();
   assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
 
-  // A name that was given elsewhere holds, and the number of points is not in it twice.
+  // A renamed file keeps its name, without repeating the number of points.
   for (const { bytes, name, says } of [
     { bytes: project, name: "bia.rosto", says: "bia-1833.glb" },
     { bytes: glb, name: "clara-1833.glb", says: "clara-1833.glb" },
@@ -42,14 +42,14 @@ for (const [{ name, says }, tag] of alike([
   });
 }
 
-test("a photo from the camera is a selfie", { tag: "@camera" }, async ({ visitor }) => {
+test("a photo from the camera is named selfie", { tag: "@camera" }, async ({ visitor }) => {
   await visitor.page.click("#welcome [data-action='camera']");
   await visitor.page.click("#camera-shutter:enabled");
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "save-project"), "selfie.rosto");
 });
 
-test("the sample is offered as a small picture, which moves and asks for nothing; who returns, to go on first", async ({ visitor, page }) => {
+test("the sample has a thumbnail that causes no layout shift or request; returning users see Continue first", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   visitor.requests.length = 0;
   await page.reload();
@@ -76,14 +76,14 @@ test("the sample is offered as a small picture, which moves and asks for nothing
   assert.deepEqual(await offered(page), [["continue", true], ["choose", false], ["camera", false], ["live-preview", false], ["sample", false]]);
 });
 
-/** The buttons of the empty page in their order, and whether each stands out. */
+/** Buttons of the empty page in order, and whether each is primary. */
 function offered(page) {
   return page.locator("#welcome button:visible").evaluateAll((buttons) =>
     buttons.map((button) => [button.dataset.action ?? button.id, button.classList.contains("primary")]),
   );
 }
 
-/** The name under which a download comes. */
+/** Name of a downloaded file. */
 async function nameOf(visitor, action) {
   return (await visitor.save(action)).name;
 }

@@ -6,12 +6,12 @@ import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 import { watchWorkers } from "./watches.mjs";
 
-/** 12 megapixels, as a phone takes them. */
+/** 12 megapixels. */
 const LARGE = { width: 4000, height: 3000 };
 
 test.use({ visit: { scripts: [watchWorkers] } });
 
-test("of a large photo and a small one or a GLB right after it, the latter stays", async ({ visitor, page }) => {
+test("a small photo or a GLB replaces a large photo that is still being read", async ({ visitor, page }) => {
   const portrait = await readFile(SAMPLE);
   const large = await asJpeg(page, portrait, LARGE);
   await visitor.dropSample();
@@ -33,7 +33,7 @@ test("of a large photo and a small one or a GLB right after it, the latter stays
   await dropBoth(page, large, glb);
   await page.waitForSelector("#progress", { state: "hidden" });
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 1);
-  // The worker has answered for the photo all the same.
+  // The worker has still replied to the photo.
   await untilFound(visitor, 5);
   assert.deepEqual(await visitor.history(), history);
   assertCameBack(await visitor.meshJson("mm"), mesh);
@@ -41,13 +41,13 @@ test("of a large photo and a small one or a GLB right after it, the latter stays
   assert.ok(await page.isHidden("#progress"));
 });
 
-/** Waits until the worker has answered for `count` photos. */
+/** Waits until the worker has replied for `count` photos. */
 async function untilFound(visitor, count) {
   await visitor.page.waitForFunction((count) => window.workersSaid.filter((type) => type === "found").length === count, count);
   await visitor.frames(5);
 }
 
-/** Drops one file, and another a few frames later. */
+/** Drops a file, and another one a few frames later. */
 function dropBoth(page, first, second) {
   return page.evaluate(
     async (files) => {

@@ -10,26 +10,26 @@ const NOT_NOW = "<!doctype html><title>No</title><p>Not now.";
 
 /** @type {Record<string, import("./server.mjs").Disturbance>} */
 const TROUBLES = {
-  "answers 503 to everything": (_, response) => send(response, 503, NOT_NOW),
+  "answers each request with 503": (_, response) => send(response, 503, NOT_NOW),
   "has lost its files": (_, response) => send(response, 404, NOT_NOW),
-  "accepts and is silent": () => true,
-  "gives the page, then 503": (name, response) => name !== "" && send(response, 503, NOT_NOW),
-  "gives the page, then is silent": (name) => name !== "",
-  "begins the page and is silent": (name, response) => name === "" && response.writeHead(200, { "content-type": "text/html" }).write("<!doctype html>"),
-  "gives a page of its own for every file": (name, response) => name !== "" && send(response, 200, "<title>Welcome aboard</title>"),
+  "accepts connections and does not answer": () => true,
+  "sends the page, then 503": (name, response) => name !== "" && send(response, 503, NOT_NOW),
+  "sends the page, then does not answer": (name) => name !== "",
+  "sends the start of the page and stops": (name, response) => name === "" && response.writeHead(200, { "content-type": "text/html" }).write("<!doctype html>"),
+  "sends an HTML page for each file": (name, response) => name !== "" && send(response, 200, "<title>Welcome aboard</title>"),
 };
 
-for (const [[what, disturbance], tag] of [[["is out of reach"], []], ...alike(Object.entries(TROUBLES))]) {
+for (const [[what, disturbance], tag] of [[["is unreachable"], []], ...alike(Object.entries(TROUBLES))]) {
   test(`the stored page works with a server that ${what}`, { tag }, async ({ visitor, page, server }) => {
     await visitor.untilLoaded();
     server.disturb(disturbance);
     await page.context().setOffline(!disturbance);
     await page.reload();
-    // The browser looks for a newer service worker by itself, at a time of its own, and the page's wish has to wait.
+    // The browser checks for a new service worker at any time; a reload must work meanwhile.
     await page.evaluate(() => void navigator.serviceWorker.ready.then((kept) => kept.update()).catch(() => {}));
     await page.click("#welcome [data-action='sample']");
     await visitor.untilFace();
-    // The validator comes from the same store, some moments after the rest.
+    // The validator comes from the same cache, slightly later.
     await visitor.untilLoaded();
     assert.ok(await page.isHidden("#not-started"));
     await visitor.unfold("section-export");
@@ -38,7 +38,7 @@ for (const [[what, disturbance], tag] of [[["is out of reach"], []], ...alike(Ob
   });
 }
 
-test("a page of a newer version comes from the network with all its files, or says that it did not load", async ({ visitor, page, server }) => {
+test("a page of a newer version loads its files from the network, or reports that it did not load", async ({ visitor, page, server }) => {
   await visitor.untilLoaded();
   const newer = String(await readFile(path.join(DIST, "index.html"))).replace(/(name="version" content=")\w+/, "$1newer");
 
@@ -53,14 +53,14 @@ test("a page of a newer version comes from the network with all its files, or sa
   for (const file of ["css/base.css", "js/main.js", "words/en.json", "wasm/rosto-vision-web_bg.wasm", "assets/sample.png"]) {
     assert.ok(asked.includes(file), `${file} came from the store of an older version`);
   }
-  // The browser ends a service worker that has had nothing to do for a while.
+  // The browser stops an idle service worker.
   const browser = await page.context().newCDPSession(page);
   await browser.send("ServiceWorker.enable");
   await browser.send("ServiceWorker.stopAllWorkers");
   await browser.detach();
   asked.length = 0;
   await page.evaluate(() => fetch("js/main.js"));
-  // The browser also looks for a newer service worker, at a time of its own.
+  // The browser also checks for a new service worker at any time.
   assert.deepEqual(asked.filter((name) => name !== "service-worker.js"), ["js/main.js"]);
 
   server.disturb((name, response) => (name === "" ? send(response, 200, newer) : name === "words/en.json" && send(response, 503, NOT_NOW)));
@@ -68,14 +68,14 @@ test("a page of a newer version comes from the network with all its files, or sa
   await page.waitForSelector("#not-started");
   assert.equal(visitor.broken.splice(0).length, 1, "the page reports what did not load");
 
-  // The older version is still whole.
+  // The older version is still complete.
   server.disturb(() => true);
   await page.click("#start-again");
   await page.waitForSelector("body[data-host='open']");
   assert.ok(await page.isHidden("#not-started"));
 });
 
-test("what is not the file that was built is not stored", async ({ open, server }) => {
+test("a file that differs from the build is not stored", async ({ open, server }) => {
   const tabs = await readFile(path.join(DIST, "js/page/tabs.js"));
   server.disturb((name, response) => name === "js/page/tabs.js" && send(response, 200, `${tabs}\n// from another version\n`, "text/javascript"));
   const visitor = await open();

@@ -8,7 +8,7 @@ const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile:
 
 test.use({ visit: DESKTOP });
 
-test("the panel goes from photo to sliders, to the hand, to what was done, and ends with what experts need", async ({ editor, page }) => {
+test("the panel's sections go from photo to sliders, editing by hand and history, and end with expert settings", async ({ editor, page }) => {
   await editor.beExpert();
   const headings = page.locator("#sections h2:not(.visually-hidden)").filter({ visible: true });
   await expect(headings).toHaveText(["Photo", "Proportions", "Expressions", "Move by hand", "In the photo", "History", "Expert settings"]);
@@ -21,12 +21,12 @@ test("the panel goes from photo to sliders, to the hand, to what was done, and e
 });
 
 for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
-  test(`shape, view and export are tabs, by keys too, with the download in sight; the photo folds to a row: ${device}`, { tag }, async ({ open }) => {
+  test(`shape, view and export are tabs with keyboard support and a visible download button, and the photo folds to a row: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(visit);
     const { page } = visitor;
     await visitor.untilLoaded();
     assert.ok(await page.isHidden("[role=tablist]"));
-    assert.ok(await page.isHidden("[data-action='download-glb']"), "there is nothing to download yet");
+    assert.ok(await page.isHidden("[data-action='download-glb']"), "the download button is visible without a face");
     await visitor.openFace();
     await page.focus("#tab-shape");
     const sections = { shape: "section-face", view: "section-view", export: "section-export" };
@@ -34,7 +34,7 @@ for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, ph
       await page.locator("#sections").evaluate((sections) => (sections.scrollTop = 200));
       await page.keyboard.press(key);
       assert.deepEqual(await page.locator("[role=tab][aria-selected=true]").evaluateAll((tabs) => tabs.map(({ id }) => id)), [`tab-${tab}`]);
-      assert.equal(await page.locator("#sections").evaluate((sections) => sections.scrollTop), 0, "a tab begins at its top");
+      assert.equal(await page.locator("#sections").evaluate((sections) => sections.scrollTop), 0, "the tab is not scrolled to its top");
       for (const [name, section] of Object.entries(sections)) assert.equal(await page.isVisible(`#${section}`), name === tab, `${section} on ${tab}`);
       await expectInReach(page.locator("[data-action='download-glb']"));
     }
@@ -47,18 +47,18 @@ for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, ph
     const row = await page.locator("#section-photo").boundingBox();
     assert.ok(row.height <= 64, `the row is ${row.height} px high`);
     assert.match(await page.innerText("#section-photo summary"), /512 × 512 px/);
-    assert.ok((await colours(page)) > 100, "the row does not show the face");
+    assert.ok((await colours(page)) > 100, "the thumbnail does not show the face");
     await page.click("#section-photo summary", { position: { x: 100, y: 20 } });
     const picture = await page.locator("#photo-picture").boundingBox();
     assert.ok(picture.width > 100 && picture.height > 100);
     assert.ok(await page.isVisible("#drop-zone"));
-    // The file dialog is answered with a photo, which folds it again.
+    // The file dialog is answered with a photo, which folds the section.
     await Promise.all([page.waitForEvent("filechooser"), page.click("#photo-change")]);
     await page.waitForSelector("#photo-picture", { state: "hidden" });
   });
 }
 
-test("the presets say which is on and what it means, and that none is", { tag: "@rare" }, async ({ editor, page }) => {
+test("the presets show which one is active and what it does, or Custom", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.beExpert();
   const segments = page.locator("[data-choice='preset'] span").filter({ visible: true });
   const custom = page.locator("input[name='preset'][value='custom']");
@@ -70,7 +70,7 @@ test("the presets say which is on and what it means, and that none is", { tag: "
   await page.locator("#mirror").click();
   await expect(segments).toHaveText(["Sculpt", "Research paper", "Custom"]);
   assert.ok(await custom.isChecked());
-  assert.ok(await custom.isDisabled(), "it cannot be chosen");
+  assert.ok(await custom.isDisabled(), "Custom can be chosen");
   assert.match(await page.innerText("#preset-help"), /own choices/);
   await editor.prefer("sculpt");
   await expect(segments).toHaveText(["Sculpt", "Research paper"]);
@@ -78,7 +78,7 @@ test("the presets say which is on and what it means, and that none is", { tag: "
 });
 
 for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
-  test(`segments of a row are of one height and one line in either language: ${size.join(" × ")}`, { tag: "@rare" }, async ({ open }) => {
+  test(`segments of a row have the same height and one line in either language: ${size.join(" × ")}`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ viewport: { width: size[0], height: size[1] } });
     const { page } = visitor;
     await visitor.openFace();
@@ -100,7 +100,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
 }
 
 for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
-  test(`the list of keys is not cut, begins at its top, and can be left: ${width} × ${height}`, { tag }, async ({ open }) => {
+  test(`the list of keys is not cut, starts at its top and can be closed: ${width} × ${height}`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.openFace();
@@ -115,7 +115,7 @@ for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390],
           higher: dialog.scrollHeight - dialog.clientHeight,
         }));
         assert.deepEqual([top, wider], [0, 0]);
-        if (height === 720) assert.equal(higher, 0, "it has to be scrolled");
+        if (height === 720) assert.equal(higher, 0, "the dialog scrolls");
         await expectInReach(page.locator(`[data-action='close-${dialog}']`));
         await page.click(`[data-action='close-${dialog}']`);
       }
@@ -123,7 +123,7 @@ for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390],
   });
 }
 
-test("hints say tap to touch users and click to mouse users; both reach language and theme", async ({ open, editor }) => {
+test("hints say tap on touch devices and click otherwise; language and theme are available on both", async ({ open, editor }) => {
   const texts = async ({ page }) => `${await page.textContent("#welcome-title")} ${await page.textContent("#landmark-help")}`;
   const phone = await open(PHONE);
   const { page } = phone;
@@ -140,7 +140,7 @@ test("hints say tap to touch users and click to mouse users; both reach language
   assert.notEqual(await page.getAttribute("html", "data-theme"), before);
 });
 
-test("no visitor who begins reads of landmarks, their count, or requests", async ({ open }) => {
+test("the first steps show no jargon such as landmarks, their count or requests", async ({ open }) => {
   const JARGON = /landmark|request|0–467|0 to 467|\b468\b|requisi/i;
   for (const locale of ["en-GB", "pt-BR"]) {
     const visitor = await open({ locale });
@@ -155,13 +155,17 @@ test("no visitor who begins reads of landmarks, their count, or requests", async
   }
 });
 
-/** All of an element is in the window and it is what a press in its middle meets. @param {import("@playwright/test").Locator} element */
+/**
+ * Asserts that an element is completely in the window and can be clicked at its centre.
+ *
+ * @param {import("@playwright/test").Locator} element
+ */
 async function expectInReach(element) {
   await expect(element).toBeInViewport({ ratio: 1 });
   await element.click({ trial: true });
 }
 
-/** How many colours the small picture of the face has. */
+/** Number of colours of the thumbnail. */
 function colours(page) {
   return page.locator("#photo-thumbnail").evaluate((canvas) => {
     const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);

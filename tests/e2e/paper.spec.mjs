@@ -6,14 +6,14 @@ import { SAMPLE } from "./visitor.mjs";
 /** Table 1 of the paper, in ms. */
 const TABLE_1 = [[218, 214], [3, 7], [399, 362], [364, 389], [366, 401], [393, 363], [387, 374], [384, 584]];
 
-test("the paper's experiment runs in the browser, beside its Table 1, finds what the command line does, and leaves the work alone", async ({ visitor, page }) => {
-  // How long the search for a face took is in the table.
+test("the paper's experiment runs next to Table 1, gives the command line's results and leaves the work unchanged", async ({ visitor, page }) => {
+  // The table includes the duration of face detection.
   await visitor.dropSample();
   await visitor.slide("nose-width", 2);
   const before = await visitor.meshJson("mm");
   await visitor.unfold("section-paper");
   await page.click("[data-action='run-paper']");
-  // The page answers in the meantime.
+  // The page responds meanwhile.
   await page.waitForSelector("#paper-progress:not([hidden])");
   await visitor.slide("jaw-width", 1);
   await page.click("#toolbar [data-action='undo']");
@@ -39,7 +39,7 @@ test("the paper's experiment runs in the browser, beside its Table 1, finds what
   assert.match(await page.innerText("#paper-table tr:nth-child(3) th"), /grau 3/);
 });
 
-/** The numbers in a table's rows. */
+/** Numbers in a table's rows. */
 async function cells(page, table) {
   const rows = await page.locator(`${table} tr`).all();
   return Promise.all(rows.map(async (row) => (await row.locator("td").allInnerTexts()).map((text) => Number(text.replaceAll(",", "")))));

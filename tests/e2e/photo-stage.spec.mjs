@@ -10,18 +10,18 @@ const scene = (visitor) => visitor.page.evaluate(() => document.body.dataset.sce
 async function photoOnStage(visitor) {
   await visitor.openFace();
   await visitor.page.focus("#viewport");
-  // By its key, so that the view has the focus as it has it later.
+  // By key, so that the view has the focus.
   await visitor.page.keyboard.press("p");
   await visitor.frames(5);
 }
 
-test("a press on the small photo puts it on the stage; the switch, P and a drag beside the face go back, and it is remembered", { tag: "@eyes" }, async ({ editor }) => {
-  assert.equal(await scene(editor), "solid", "the face in the round is what a visitor arrives at");
+test("a click on the thumbnail opens the photo on the stage; the switch, P and a drag return, and the choice is saved", { tag: "@eyes" }, async ({ editor }) => {
+  assert.equal(await scene(editor), "solid", "the 3D face is not the initial scene");
   const solid = await editor.view();
   await editor.page.click("#photo-to-stage");
   assert.equal(await scene(editor), "picture");
   const photo = await editor.view();
-  assert.ok(difference(solid, photo) > 0.5, "the stage is as it was");
+  assert.ok(difference(solid, photo) > 0.5, "the stage has not changed");
   await editor.page.check("#scene input[value='solid']", { force: true });
   assert.equal(difference(solid, await editor.view()), 0);
   await editor.page.keyboard.press("p");
@@ -36,7 +36,7 @@ test("a press on the small photo puts it on the stage; the switch, P and a drag 
   assert.equal(await scene(editor), "picture");
 });
 
-test("on the photo a point is dragged, and the photo follows where it is and nowhere else", { tag: "@eyes" }, async ({ visitor }) => {
+test("a point can be dragged on the photo, which changes only there", { tag: "@eyes" }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const nose = await visitor.landmarkPlace(4);
   await visitor.drag(nose, { x: 0, y: -24 });
@@ -48,13 +48,13 @@ test("on the photo a point is dragged, and the photo follows where it is and now
   const edited = await visitor.view();
   await visitor.page.keyboard.press("Control+z");
   const found = await visitor.view();
-  assert.ok(differenceNear(found, edited, await visitor.onView(nose), 40) > 0.1, "the nose is where it was");
+  assert.ok(differenceNear(found, edited, await visitor.onView(nose), 40) > 0.1, "the nose has not moved");
   assert.equal(differenceNear(found, edited, { x: 40, y: 40 }, 35), 0, "a corner of the photo has changed");
   await visitor.page.keyboard.press("Control+Shift+z");
-  assert.equal(difference(edited, await visitor.view()), 0, "redo brings the edit back");
+  assert.equal(difference(edited, await visitor.view()), 0, "redo does not restore the edit");
 });
 
-test("sliders, regions and the wipe work on the photo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
+test("sliders, regions and the comparison work on the photo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const before = await visitor.view();
   await visitor.slide("eye-size", 2);
@@ -65,14 +65,14 @@ test("sliders, regions and the wipe work on the photo", { tag: ["@eyes", "@rare"
   const after = await visitor.view();
   assert.ok(difference(before, after) > 0.005);
   await visitor.page.keyboard.down("b");
-  assert.equal(difference(before, await visitor.view()), 0, "B shows the photo as it was taken");
+  assert.equal(difference(before, await visitor.view()), 0, "B does not show the original photo");
   await visitor.page.keyboard.up("b");
   await visitor.page.click("#compare");
   const wiped = await visitor.view();
-  assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the wipe shows both");
+  assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the comparison does not show both");
 });
 
-test("the small photo shows every edit as it is made", async ({ editor }) => {
+test("the thumbnail shows edits while they are made", async ({ editor }) => {
   await editor.frames(4);
   const small = async () => PNG.sync.read(await editor.page.locator("#photo-thumbnail").screenshot());
   const before = await small();
@@ -81,11 +81,11 @@ test("the small photo shows every edit as it is made", async ({ editor }) => {
     slider.dispatchEvent(new Event("input", { bubbles: true }));
   });
   await editor.frames(4);
-  assert.ok(difference(before, await small()) > 0.02, "before the slider is let go");
+  assert.ok(difference(before, await small()) > 0.02, "the thumbnail does not change during the drag");
   await editor.page.keyboard.press("Escape");
 });
 
-test("both stand side by side where the window is wide, and a press on the photo gives it the stage", { tag: "@rare" }, async ({ open }) => {
+test("wide windows can show photo and 3D face next to each other, and a click on the photo opens it on the stage", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 1440, height: 900 } });
   await visitor.openFace();
   await visitor.page.click("#split-view");
@@ -97,15 +97,15 @@ test("both stand side by side where the window is wide, and a press on the photo
   });
   assert.ok(seen.share > 0.4 && seen.share < 0.55 && seen.width > 150, JSON.stringify(seen));
   const nose = await visitor.landmarkPlace(4);
-  assert.ok(nose.x > 1080 / 2, "the face in the round is in the other half");
+  assert.ok(nose.x > 1080 / 2, "the 3D face is not in the other half");
   await visitor.page.click("#photo-pane");
   assert.equal(await scene(visitor), "picture");
   await visitor.page.setViewportSize({ width: 800, height: 900 });
   await visitor.page.keyboard.press("p");
-  assert.ok(!(await visitor.page.isVisible("#photo-pane")), "a narrow window has no room for both");
+  assert.ok(!(await visitor.page.isVisible("#photo-pane")), "a narrow window shows both");
 });
 
-test("what the brush keeps stays, with an undo of its own, and is there after a reload", async ({ visitor }) => {
+test("areas protected by the brush stay unchanged, have separate undo, and survive a reload", async ({ visitor }) => {
   await photoOnStage(visitor);
   const photo = async () => PNG.sync.read(await visitor.download("download-photo-png"));
   const isOff = (/** @type {string} */ button) => visitor.page.isDisabled(button);
@@ -118,10 +118,10 @@ test("what the brush keeps stays, with an undo of its own, and is there after a 
   assert.deepEqual([await isOff("#brush-undo"), await isOff("#brush-redo")], [false, true]);
   await visitor.page.uncheck("#brush", { force: true });
   const kept = await photo();
-  assert.ok(difference(edited, kept) > 0.0005, "what was painted follows the edit");
-  assert.deepEqual(await visitor.history(), ["Jaw width"], "a stroke is no entry of the history");
+  assert.ok(difference(edited, kept) > 0.0005, "the protected area follows the edit");
+  assert.deepEqual(await visitor.history(), ["Jaw width"], "the stroke is in the history");
   await visitor.comeBack();
-  assert.equal(difference(kept, await photo()), 0, "the stroke is gone after a reload");
+  assert.equal(difference(kept, await photo()), 0, "the stroke was lost in the reload");
   await visitor.unfold("section-in-photo");
   await visitor.page.check("#brush", { force: true });
   await visitor.page.focus("#viewport");
@@ -132,12 +132,12 @@ test("what the brush keeps stays, with an undo of its own, and is there after a 
   assert.deepEqual(await visitor.history(), ["Jaw width"]);
 });
 
-test("an edit in depth says that it hardly shows, and offers the view in which it does", { tag: "@rare" }, async ({ visitor }) => {
+test("an edit along the view shows a note that offers a better view", { tag: "@rare" }, async ({ visitor }) => {
   await photoOnStage(visitor);
   await visitor.findLandmark("nose tip");
   assert.ok(await visitor.page.isHidden("#depth-note"));
   await visitor.offset("y", 3);
-  assert.ok(await visitor.page.isHidden("#depth-note"), "an edit that is seen says nothing");
+  assert.ok(await visitor.page.isHidden("#depth-note"), "a visible edit shows the note");
   await visitor.offset("y", 0);
   await visitor.offset("z", 9);
   assert.ok(await visitor.page.isVisible("#depth-note"));
@@ -145,5 +145,5 @@ test("an edit in depth says that it hardly shows, and offers the view in which i
   assert.equal(await scene(visitor), "solid");
   await visitor.frames(3);
   const [tip, chin] = [await visitor.landmarkPlace(4), await visitor.landmarkPlace(152)];
-  assert.ok(Math.abs(tip.x - chin.x) > 40, "the face is seen from the side");
+  assert.ok(Math.abs(tip.x - chin.x) > 40, "the face is not seen from the side");
 });

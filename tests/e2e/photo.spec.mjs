@@ -10,18 +10,18 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-/** Landmarks far from each other and from others, and a colour for each that no skin has. */
+/** Landmarks far from each other, each with a colour that no skin has. */
 const APART = /** @type {const} */ ([[151, [0, 200, 60]], [50, [30, 60, 255]], [280, [0, 220, 230]], [199, [240, 240, 0]]]);
-/** The sample's width and height. */
+/** Width and height of the sample. */
 const SIDE_PX = 512;
 
-/** The panel shows no more of a photo. */
+/** Maximum size at which the panel shows a photo. */
 const MOST_SHOWN_PX = 640 * 320;
 
-/** Where the nose is in the portrait, in widths of it. */
+/** x of the nose in the portrait, as a fraction of the width. */
 const NOSE_IN_PORTRAIT = 0.44;
 
-test("a selfie from the camera becomes a face, not mirrored", { tag: "@camera" }, async ({ visitor }) => {
+test("a selfie from the camera opens unmirrored", { tag: "@camera" }, async ({ visitor }) => {
   await visitor.page.click("#welcome [data-action='camera']");
   const mirrored = await visitor.page.locator("#camera-preview").evaluate((video) => getComputedStyle(video).scale);
   assert.equal(mirrored, "-1 1");
@@ -30,12 +30,12 @@ test("a selfie from the camera becomes a face, not mirrored", { tag: "@camera" }
   await visitor.untilFace();
   assert.ok(await visitor.page.locator("#camera").isHidden());
 
-  // Mirrored, the face would be in the other half of the picture.
+  // Mirrored, the nose would be in the other half of the picture.
   const nose = (await visitor.meshJson("image")).positions[1];
   assert.ok(Math.abs(nose[0] - NOSE_IN_PORTRAIT) < 0.03, `the nose is at ${nose[0]} of the width`);
 });
 
-test("of several faces in a photo, one is chosen", async ({ visitor }) => {
+test("one of several faces in a photo can be chosen", async ({ visitor }) => {
   await openGroup(visitor);
   assert.equal(await visitor.page.innerText("#face-choice-title"), "2 faces in this photo");
   const first = await visitor.meshJson("image");
@@ -46,7 +46,7 @@ test("of several faces in a photo, one is chosen", async ({ visitor }) => {
   assert.ok(Math.abs(apart - 0.5) < 0.01, `the two noses are ${apart} of the width apart`);
 });
 
-test("the landmark under the pointer shows on the panel's photo, where it is in the photo, and on the mesh", async ({ visitor, page }) => {
+test("the hovered landmark is marked on the panel's photo and on the mesh", async ({ visitor, page }) => {
   const { positions } = await meshByCommandLine(SAMPLE, ["--units", "image"]);
   const dots = APART.map(([landmark, colour]) => ({ x: positions[landmark][0] * SIDE_PX, y: positions[landmark][1] * SIDE_PX, colour }));
   await visitor.drop(dotted(await readFile(SAMPLE), dots, 4), "dotted.png");
@@ -72,10 +72,10 @@ test("the landmark under the pointer shows on the panel's photo, where it is in 
   assert.ok(difference(picture, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
 });
 
-test("of a large photo the page's own thread draws only what it shows", async ({ open }) => {
+test("the main thread draws a large photo only at its displayed size", async ({ open }) => {
   const visitor = await open({ scripts: [countDrawn] });
   const { page } = visitor;
-  // Before the host is there, a part of the photo that nobody has scaled yet is drawn.
+  // Before the host is open, an unscaled part of the photo is drawn.
   await visitor.untilLoaded();
   await visitor.drop(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 }), "large.jpg");
   await visitor.untilFace();
