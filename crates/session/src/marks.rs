@@ -53,7 +53,7 @@ pub(crate) fn show_offset(stage: &mut Stage, face: Option<&OpenFace>) {
     if *stage.render_settings() != now {
         *stage.render_settings_mut() = now;
     }
-    stage.ask_for_a_frame();
+    stage.request_frame();
 }
 
 fn settings(face: &OpenFace) -> Option<&Settings> {

@@ -199,7 +199,7 @@ impl Session {
     fn keep_in_frame(&mut self) {
         let is_free = self.stage.scene() == Scene::Solid;
         if let Some(face) = self.face.as_ref().filter(|face| is_free && !face.is_moving()) {
-            self.stage.frame_again(face.document().committed());
+            self.stage.reframe(face.document().committed());
         }
     }
 

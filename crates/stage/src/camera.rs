@@ -17,49 +17,49 @@ pub(crate) use facing::Facing;
 use pose::Pose;
 use visible_area::VisibleArea;
 
-/// Time constant of the glide towards where the camera is asked to be.
+/// Time constant of the glide, in seconds.
 const GLIDE_S: f64 = 0.07;
 const ZOOM_LIMITS: [f64; 2] = [0.35, 12.0];
 
 rosto_mesh::named! {
-    /// A direction to look from that has a name.
+    /// A named viewing direction.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum NamedView {
-        /// Straight at the face.
+        /// From the front.
         Front = "front",
-        /// At the face's own left side, from +X.
+        /// From the face's own left side, +X.
         Left = "left",
-        /// From above, the face looking down the picture.
+        /// From above, with the face pointing down in the picture.
         Top = "top",
-        /// As at first: whole and centred, from the front or as its picture was taken.
+        /// The initial view: everything centred, from the front or as the picture was taken.
         Reset = "reset",
     }
 }
 
-/// Whether the camera glides to where it is asked to be, or is there at once.
+/// Whether the camera moves smoothly or jumps to its goal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Glide {
-    /// Damped: it comes to rest softly.
+    /// Damped motion.
     #[default]
     Smooth,
-    /// Without any motion of its own, for those who asked for less motion.
+    /// Immediate, for users who prefer reduced motion.
     Off,
 }
 
-/// A camera around the middle of what it frames, +Y up; right-handed, metres and radians.
+/// Orbit camera around the centre of the framed sphere; +Y up, right-handed, metres and radians.
 ///
-/// How far its eye is from that middle is its [`Lens`]': zooming and panning cut another part out of the same picture, and
-/// what is framed fills the same share of the view with each lens. Pixels are device pixels from the top left. The camera
-/// is steered by goals, and [`Camera::advance`] takes it there.
+/// The [`Lens`] sets the distance of the eye from the centre. Zooming and panning crop and shift the same picture, and
+/// the framed sphere fills the same share of the view with each lens. Pixels are device pixels from the top left.
+/// Methods set a goal; [`Camera::advance`] moves the camera towards it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Camera {
     now: Pose,
     goal: Pose,
-    /// How far it is turned around the upright axis besides.
+    /// Additional rotation around the upright axis.
     sway: f64,
     lens: Lens,
     pinhole: Option<Pinhole>,
-    /// The picture that is framed in place of the mesh.
+    /// Picture that is framed instead of the mesh.
     framed: Option<PicturePlane>,
     centre_m: DVec3,
     size_px: DVec2,
@@ -70,7 +70,7 @@ pub struct Camera {
 }
 
 impl Default for Camera {
-    /// Looks at a unit sphere around the origin in a picture of one pixel.
+    /// A unit sphere at the origin, in a picture of one pixel.
     fn default() -> Self {
         let (lens, radius_m) = (Lens::default(), 1.0);
         let eye = lens.eye(radius_m);
@@ -93,7 +93,7 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Frames the sphere `centre_m`, `radius_m` from the front, or as its picture was taken, at once.
+    /// Frames a sphere at once, from the front or as its picture was taken.
     pub fn frame(&mut self, centre_m: DVec3, radius_m: f64) {
         self.centre_m = centre_m;
         self.goal.radius_m = radius_m.max(f64::MIN_POSITIVE);
@@ -103,34 +103,34 @@ impl Camera {
         self.visible_area = self.visible_area_goal;
     }
 
-    /// Frames another radius around the same middle, from where it looks: it glides there.
-    pub fn frame_again(&mut self, radius_m: f64) {
+    /// Frames another radius around the same centre and glides there, keeping the direction.
+    pub fn reframe(&mut self, radius_m: f64) {
         self.goal.radius_m = radius_m.max(f64::MIN_POSITIVE);
-        self.goal.eye = self.seen_from().0;
+        self.goal.eye = self.lens_pose().0;
     }
 
-    /// So many px at the picture's top, right, bottom and left have something lying over them: what is framed fits into
-    /// the rest, and its middle is there. It glides there.
+    /// Sets the widths in px of the picture's margins that are covered (top, right, bottom, left). The camera glides
+    /// until the framed sphere is centred and fits in the rest.
     pub fn set_viewport_insets(&mut self, insets_px: [f64; 4]) {
         self.keep_home(|camera| camera.visible_area_goal = VisibleArea::without(insets_px, camera.size_px));
     }
 
-    /// Fits what is framed into what nothing lies over at once, without a glide.
-    pub fn settle_clear(&mut self) {
+    /// Applies the viewport insets without a glide.
+    pub fn settle_visible_area(&mut self) {
         self.visible_area = self.visible_area_goal;
     }
 
-    /// Has what is framed in the middle of the whole picture, as large as it is.
+    /// Centres the framed sphere in the whole picture, without resizing it.
     pub fn centre(&mut self) {
-        (self.visible_area.middle, self.visible_area_goal.middle) = (VisibleArea::ALL.middle, VisibleArea::ALL.middle);
+        (self.visible_area.centre, self.visible_area_goal.centre) = (VisibleArea::ALL.centre, VisibleArea::ALL.centre);
     }
 
-    /// Middle of what is framed, in metres.
+    /// Centre of the framed sphere in metres.
     pub fn centre_m(&self) -> DVec3 {
         self.centre_m
     }
 
-    /// Radius in metres of what is framed.
+    /// Radius of the framed sphere in metres.
     pub fn radius_m(&self) -> f64 {
         self.goal.radius_m
     }
@@ -145,40 +145,41 @@ impl Camera {
         self.size_px
     }
 
-    /// Chooses whether the camera glides.
+    /// Chooses smooth or immediate motion.
     pub fn set_glide(&mut self, glide: Glide) {
         self.glide = glide;
     }
 
-    /// Whether it glides.
+    /// Whether motion is smooth.
     pub fn glides(&self) -> bool {
         self.glide == Glide::Smooth
     }
 
-    /// From how far away it looks.
+    /// The current lens.
     pub fn lens(&self) -> Lens {
         self.lens
     }
 
-    /// Looks from as far away as a lens says, and glides there: what is framed stays as large as it is. With
-    /// [`Lens::AsTaken`] it goes to where the pinhole stood and frames all of it; with the others it stands upright.
+    /// Sets the lens and glides to its distance; the framed sphere keeps its size. [`Lens::AsTaken`] goes to the
+    /// pinhole's pose and frames everything; the others remove any roll.
     pub fn set_lens(&mut self, lens: Lens) {
         if self.lens != lens {
             self.lens = lens;
-            self.take_up_lens();
+            self.apply_lens();
         }
     }
 
-    /// The camera that took the picture on the mesh, for [`Lens::AsTaken`]; with that one it glides there.
+    /// Sets the pose for [`Lens::AsTaken`], the camera that took the picture on the mesh; glides there if that lens is
+    /// active.
     pub fn set_pinhole(&mut self, pinhole: Option<Pinhole>) {
         if self.pinhole != pinhole {
             self.pinhole = pinhole;
-            self.take_up_lens();
+            self.apply_lens();
         }
     }
 
-    fn take_up_lens(&mut self) {
-        let (eye, facing) = self.seen_from();
+    fn apply_lens(&mut self) {
+        let (eye, facing) = self.lens_pose();
         self.goal.eye = eye;
         match facing {
             Some(_) => self.look(NamedView::Reset),
@@ -186,8 +187,8 @@ impl Camera {
         }
     }
 
-    /// The lens' eye, and how it faces what is framed if it is a camera that stood somewhere.
-    fn seen_from(&self) -> (Eye, Option<Facing>) {
+    /// The lens' eye and, for a pinhole, its orientation.
+    fn lens_pose(&self) -> (Eye, Option<Facing>) {
         let taken = self.pinhole.filter(|_| self.lens == Lens::AsTaken || self.framed.is_some());
         match taken.and_then(|pinhole| pinhole.before(self.centre_m, self.goal.radius_m)) {
             Some((eye, facing)) => (eye, Some(facing)),
@@ -196,60 +197,60 @@ impl Camera {
     }
 
     fn home(&self) -> Pose {
-        let (eye, facing) = self.seen_from();
+        let (eye, facing) = self.lens_pose();
         let facing = facing.unwrap_or_default();
         let home = Pose { target_m: self.centre_m, facing, eye, radius_m: self.goal.radius_m, zoom: 1.0 };
         self.framed.map_or(home, |picture| self.framing(&picture, home))
     }
 
-    /// Turns around the middle as if the pointer held the face: half a turn for a picture's height.
+    /// Orbits as if the pointer dragged the face: half a turn per picture height.
     pub fn orbit(&mut self, dx_px: f64, dy_px: f64) {
         let facing = &mut self.goal.facing;
         let motion_px = DVec2::new(self.sides.sign() * dx_px, dy_px);
         let radians = DVec2::from_angle(-facing.roll).rotate(motion_px) * (PI / self.size_px.y);
         facing.azimuth -= radians.x;
-        facing.elevation = (facing.elevation + radians.y).clamp(-Facing::STEEPEST, Facing::STEEPEST);
+        facing.elevation = (facing.elevation + radians.y).clamp(-Facing::MAX_ELEVATION, Facing::MAX_ELEVATION);
     }
 
-    /// Goes on around the upright axis by so much, and glides there.
+    /// Turns around the upright axis with a glide.
     pub fn turn_towards(&mut self, radians: f64) {
         self.goal.facing.azimuth += radians;
     }
 
-    /// Turns around the upright axis, at once and without glide.
+    /// Turns around the upright axis without a glide.
     pub fn turn(&mut self, radians: f64) {
         self.goal.facing.azimuth += radians;
         self.now.facing.azimuth += radians;
     }
 
-    /// Is turned around the upright axis by so much, besides wherever it goes.
+    /// Sets the additional rotation around the upright axis, independent of the goal.
     pub fn sway(&mut self, radians: f64) {
         self.sway = radians;
     }
 
-    /// Glides back from that.
+    /// Ends the additional rotation with a glide.
     pub fn end_sway(&mut self) {
         self.now.facing.azimuth += std::mem::take(&mut self.sway);
     }
 
-    /// Moves along the view plane so that what is seen follows the pointer.
+    /// Moves in the view plane so that the picture follows the pointer.
     pub fn pan(&mut self, dx_px: f64, dy_px: f64) {
         let axes = self.facing().axes();
         let offset_m =
             (axes.y_axis * dy_px - axes.x_axis * (self.sides.sign() * dx_px)) * self.m_per_px_at_target(&self.goal);
-        let from_centre_m = (self.goal.target_m + offset_m - self.centre_m).clamp_length_max(self.furthest_m());
+        let from_centre_m = (self.goal.target_m + offset_m - self.centre_m).clamp_length_max(self.max_distance_m());
         self.goal.target_m = self.centre_m + from_centre_m;
     }
 
-    /// Shows things larger by `factor`, smaller if it is below 1; nothing for a factor that is not positive.
+    /// Magnifies by `factor`; ignores factors that are not positive and finite.
     pub fn zoom(&mut self, factor: f64) {
         if factor > 0.0 && factor.is_finite() {
-            let whole = if self.framed.is_some() { self.home().zoom } else { 1.0 };
-            self.goal.zoom = (self.goal.zoom * factor).clamp(ZOOM_LIMITS[0] * whole, ZOOM_LIMITS[1] * whole);
+            let full = if self.framed.is_some() { self.home().zoom } else { 1.0 };
+            self.goal.zoom = (self.goal.zoom * factor).clamp(ZOOM_LIMITS[0] * full, ZOOM_LIMITS[1] * full);
         }
     }
 
-    /// Goes to a named view by the shortest way round.
+    /// Turns to a named view the short way round.
     pub fn look(&mut self, view: NamedView) {
         if view == NamedView::Reset {
             self.goal = self.home();
@@ -258,12 +259,12 @@ impl Camera {
             NamedView::Reset => self.goal.facing,
             NamedView::Front => Facing::default(),
             NamedView::Left => Facing { azimuth: FRAC_PI_2, ..Facing::default() },
-            NamedView::Top => Facing { elevation: Facing::STEEPEST, ..Facing::default() },
+            NamedView::Top => Facing { elevation: Facing::MAX_ELEVATION, ..Facing::default() },
         };
         self.goal.facing = facing.nearest_to(&self.now.facing);
     }
 
-    /// Moves on by `seconds`; true while the camera has not arrived.
+    /// Advances the motion by `seconds`; returns whether the camera was moving.
     pub fn advance(&mut self, seconds: f64) -> bool {
         if self.now == self.goal && self.visible_area == self.visible_area_goal {
             return false;

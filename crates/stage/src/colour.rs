@@ -1,4 +1,4 @@
-/// A colour as pictures and style sheets write it: sRGB, 8 bits a channel.
+/// sRGB colour with 8 bits per channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Srgb(pub [u8; 3]);
 
@@ -6,7 +6,7 @@ impl Srgb {
     /// White.
     pub const WHITE: Self = Self([255; 3]);
 
-    /// The amounts of light, 0..1, that the GPU computes with (IEC 61966-2-1).
+    /// Linear RGB, 0..1 (IEC 61966-2-1).
     pub fn to_linear(self) -> [f32; 3] {
         self.0.map(|channel| {
             let encoded = f32::from(channel) / 255.0;
@@ -14,7 +14,7 @@ impl Srgb {
         })
     }
 
-    /// The channels, still sRGB, as 0..1, and an opacity.
+    /// sRGB channels as 0..1, with an opacity.
     pub fn with_alpha(self, alpha: f32) -> [f32; 4] {
         let [red, green, blue] = self.0.map(|channel| f32::from(channel) / 255.0);
         [red, green, blue, alpha]
@@ -26,13 +26,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn black_and_white_are_no_and_all_light() {
+    fn black_and_white_map_to_0_and_1() {
         assert_eq!(Srgb([0; 3]).to_linear(), [0.0; 3]);
         assert_eq!(Srgb::WHITE.to_linear(), [1.0; 3]);
     }
 
     #[test]
-    fn half_the_light_is_encoded_as_188() {
+    fn level_188_is_half_the_light() {
         let [amount, ..] = Srgb([188; 3]).to_linear();
         assert!((amount - 0.5).abs() < 3e-3, "{amount}");
     }

@@ -1,8 +1,8 @@
-//! What is seen of a mesh and how: camera, lens, light, look, marks, the gizmo.
+//! View of a mesh, without a GPU: camera, lens, light, render settings, marks and gizmo.
 //!
-//! A [`Stage`] is plain data and knows no GPU, so that whoever decides what is shown can be tried without one. Whoever
-//! draws it asks [`Stage::advance`] whether to, and reads [`Stage::uniforms`] and [`Stage::mark_words`]. Positions are
-//! metres in the model's frame, +Y up, +Z out of the face; px are device pixels from the top left.
+//! A [`Stage`] is plain data, so that its logic can be tested without a GPU. A renderer calls [`Stage::advance`] to
+//! find out whether to draw, then reads [`Stage::uniforms`] and [`Stage::mark_words`]. Positions are metres in the
+//! model's frame, +Y up, +Z out of the face; px are device pixels from the top left.
 
 mod camera;
 mod colour;
@@ -24,7 +24,7 @@ pub use render_settings::{
 };
 pub use stage::{FrameUniforms, Stage, Step};
 
-/// The examples of the README are tested with those of the code.
+/// Tests the README's examples.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -2,37 +2,38 @@ use glam::DVec3;
 
 use crate::{Camera, Srgb};
 
-/// With the usual ambient light, this shows a surface that faces the viewer about in its own colour.
-const USUAL_BRIGHTNESS: f64 = 0.92;
+/// Brightness for `strength` 1. Together with the default ambient light, a surface that faces the viewer shows about
+/// its own colour.
+const BRIGHTNESS: f64 = 0.92;
 
-/// One directional light, fixed to the viewer, and an even light from everywhere.
+/// Directional light fixed to the viewer, plus ambient light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Light {
-    /// Degrees to the viewer's right; 0 is from the viewer, −90 from the left.
+    /// Degrees to the viewer's right; 0 is behind the viewer, −90 from the left.
     pub azimuth_deg: f64,
     /// Degrees above the horizon.
     pub elevation_deg: f64,
-    /// Strength of the directional light; 1 is the usual one.
+    /// Strength of the directional light; 1 is the default.
     pub strength: f64,
     /// Colour of the directional light.
     pub colour: Srgb,
-    /// Brightness of the even light; 1 alone shows every surface in its own colour.
+    /// Ambient brightness; 1 alone shows surfaces in their own colour.
     pub ambient: f64,
 }
 
 impl Default for Light {
-    /// From the upper left, white, so that a surface that faces the viewer is shown about in its own colour.
+    /// White light from the upper left.
     fn default() -> Self {
         Self { azimuth_deg: -35.0, elevation_deg: 40.0, strength: 1.0, colour: Srgb::WHITE, ambient: 0.4 }
     }
 }
 
 impl Light {
-    /// No shading at all: every surface in its own colour.
+    /// No shading: surfaces in their own colour.
     pub const FLAT: Self =
         Self { azimuth_deg: 0.0, elevation_deg: 0.0, strength: 0.0, colour: Srgb::WHITE, ambient: 1.0 };
 
-    /// The way from this light to none that shades, 0..1.
+    /// Interpolates towards [`Self::FLAT`] by a share, 0..1.
     pub(crate) fn faded_to_flat(self, share: f64) -> Self {
         let mix = |from: f64, to: f64| from + (to - from) * share;
         Self {
@@ -42,9 +43,9 @@ impl Light {
         }
     }
 
-    /// Brightness that the directional light gives a surface that faces it.
+    /// Brightness of a surface that faces the directional light.
     pub fn brightness(&self) -> f64 {
-        self.strength * USUAL_BRIGHTNESS
+        self.strength * BRIGHTNESS
     }
 
     /// Unit vector in the model's frame from the surface towards the light.
@@ -63,7 +64,7 @@ mod tests {
     use crate::NamedView;
 
     #[test]
-    fn the_light_comes_from_the_upper_left_of_every_view() {
+    fn the_light_comes_from_the_upper_left_of_each_view() {
         let mut camera = Camera::default();
         camera.resize(640, 480);
         for view in [NamedView::Front, NamedView::Left, NamedView::Top] {
@@ -77,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_facing_the_viewer_keeps_about_its_own_colour() {
+    fn a_surface_facing_the_viewer_shows_about_its_own_colour() {
         let camera = Camera::default();
         let light = Light::default();
         let brightness = light.ambient + light.brightness() * light.direction(&camera).dot(camera.back());

@@ -1,39 +1,39 @@
 use crate::{Light, Srgb};
 
-/// How much of the lamp a picture gets that has its own light.
+/// Share of the lamp's shading on a picture that has its own lighting.
 const LAMP_ON_PICTURE: f64 = 0.15;
 
 rosto_mesh::named! {
-    /// How the surface is coloured.
+    /// Colouring of the surface.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum ShadingMode {
-        /// The picture as texture; clay where there is none.
+        /// The picture as texture; clay without a picture.
         #[default]
         Picture = "picture",
-        /// The colour of each vertex, blended in linear light.
+        /// Vertex colours, blended in linear light.
         Colours = "colours",
-        /// A plain, warm grey.
+        /// Warm grey.
         Clay = "clay",
-        /// The direction the surface faces: x, y, z as red, green, blue.
+        /// Surface normal: x, y, z as red, green, blue.
         Normals = "normals",
-        /// Clay with the response field as a ramp from nothing to the accent.
+        /// Clay with the response field as a ramp to the accent colour.
         Response = "response",
-        /// The scalar of each vertex, −1 to 1, from blue over neutral to red.
+        /// Scalar per vertex, −1 to 1, from blue through neutral to red.
         Distortion = "distortion",
     }
 }
 
-/// Whether the surface itself is seen.
+/// Visibility of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Surface {
-    /// It is, by its shading mode.
+    /// Drawn in its shading mode.
     #[default]
     Shaded,
-    /// Only in that it hides what lies behind it: a wireframe over it shows its near side.
+    /// Drawn only into the depth buffer, to hide the far side of a wireframe.
     HiddenLine,
 }
 
-/// Whether something is drawn.
+/// Whether an element is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Visibility {
     /// Not drawn.
@@ -44,19 +44,19 @@ pub enum Visibility {
 }
 
 rosto_mesh::named! {
-    /// What is on the stage.
+    /// Content of the stage.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Scene {
-        /// The mesh in the round.
+        /// The mesh.
         #[default]
         Solid = "solid",
-        /// The picture that was taken of it, which follows it; the mesh itself is felt, and not seen.
+        /// The picture taken of the mesh, warped with it; the mesh is invisible, but can still be picked.
         Picture = "picture",
     }
 }
 
 rosto_mesh::named! {
-    /// Which of the dotted vertices show as dots.
+    /// Which vertices show as dots.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Dots {
         /// None.
@@ -70,77 +70,78 @@ rosto_mesh::named! {
 }
 
 rosto_mesh::named! {
-    /// Light or dark surroundings.
+    /// Colour scheme.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum Theme {
-        /// Dark marks on a light, warm ground.
+        /// Dark marks on a light, warm background.
         #[default]
         Light = "light",
-        /// Light marks on a dark ground.
+        /// Light marks on a dark background.
         Dark = "dark",
     }
 }
 
-/// What lies behind the mesh.
+/// Background of the mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Background {
-    /// The theme's gradient, and a soft shadow under the mesh.
+    /// The theme's gradient, with a soft shadow under the mesh.
     #[default]
     Ground,
-    /// One colour, and no shadow.
+    /// One colour, without a shadow.
     Plain(Srgb),
-    /// Nothing.
+    /// Transparent.
     Transparent,
 }
 
 rosto_mesh::named! {
-    /// What lights a surface that is painted with the picture.
+    /// Light on a surface that is textured with the picture.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum PictureLight {
-        /// Nearly nothing beside the light that the picture was taken in.
+        /// Mostly the light in the picture itself.
         #[default]
         Own = "own",
-        /// The lamp, as it lights everything else.
+        /// The lamp, as on other surfaces.
         Lamp = "lamp",
     }
 }
 
-/// Everything about how a mesh is shown that is not the mesh, the camera or the marks on it.
+/// Render settings other than mesh, camera and marks.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RenderSettings {
-    /// How the surface is coloured.
+    /// Colouring of the surface.
     pub shading: ShadingMode,
-    /// Whether it is seen.
+    /// Visibility of the surface.
     pub surface: Surface,
-    /// The edges, each one CSS pixel wide.
+    /// Edges, one CSS pixel wide.
     pub wireframe: Visibility,
-    /// Which vertices show as dots.
+    /// Vertices that show as dots.
     pub dots: Dots,
-    /// How many vertices, from the first, can show as dots; by default all.
+    /// Number of vertices, from the first, that can show as dots; `None` for all.
     pub dotted: Option<u32>,
-    /// Light or dark surroundings.
+    /// Colour scheme.
     pub theme: Theme,
-    /// What lies behind.
+    /// Background.
     pub background: Background,
-    /// The plane of symmetry: a hairline where the plane x = 0 cuts the surface.
+    /// Thin line where the plane of symmetry, x = 0, cuts the surface.
     pub mirror_plane: Visibility,
-    /// The end of an edit's reach: a line on the surface as far from what moves as the edit reaches.
+    /// Line on the surface at the edit's influence radius.
     pub rim: Visibility,
-    /// What lights the picture.
+    /// Light on the picture.
     pub picture_light: PictureLight,
-    /// The shape before shows up to this share of the picture's width, 0..1 from the left, and the shape now beyond.
+    /// Comparison slider: up to this share of the width, 0..1 from the left, the original shape is shown; beyond it,
+    /// the current one.
     pub wipe: Option<f64>,
     /// The light.
     pub light: Light,
-    /// 0 shows the mesh as it is, 1 as it was before; between them, a blend.
+    /// Blend between the current shape (0) and the original one (1).
     pub before: f64,
-    /// How strongly the response field glows in the accent over any paint, 0..1.
+    /// Strength of the response field's glow over any colouring, 0..1.
     pub glow: f64,
 }
 
 impl RenderSettings {
-    /// The light that falls on the surface: a picture has the light in it that it was taken in, and of the lamp just a trace,
-    /// so that its shape shows when it turns.
+    /// Light on the surface. A picture keeps its own lighting plus a trace of the lamp, so that its shape is visible
+    /// when it turns.
     pub(crate) fn surface_light(&self) -> Light {
         match (self.shading, self.picture_light) {
             (ShadingMode::Picture, PictureLight::Own) => self.light.faded_to_flat(1.0 - LAMP_ON_PICTURE),
@@ -149,27 +150,27 @@ impl RenderSettings {
     }
 }
 
-/// The colours of a theme; `web/css/base.css` says the same.
+/// Colours of a theme; same values as in `web/css/base.css`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Palette {
-    /// The ground at the picture's upper edge.
+    /// Background at the upper edge.
     pub ground_top: Srgb,
-    /// The ground at its lower edge.
+    /// Background at the lower edge.
     pub ground_bottom: Srgb,
     /// Edges and dots.
     pub ink: Srgb,
-    /// How opaque edges are, 0..1.
+    /// Opacity of edges, 0..1.
     pub ink_alpha: f32,
-    /// What surrounds a mark, so that it shows on any colour.
+    /// Outline of marks, for contrast on any colour.
     pub halo: Srgb,
-    /// What is selected, and what follows.
+    /// Selection and response.
     pub accent: Srgb,
-    /// How dark the shadow under the mesh is, 0..1.
+    /// Opacity of the shadow under the mesh, 0..1.
     pub shadow_alpha: f32,
 }
 
 impl Theme {
-    /// Its colours.
+    /// Colours of the theme.
     pub fn palette(self) -> Palette {
         match self {
             Self::Light => Palette {
@@ -199,7 +200,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_keeps_its_colours_whatever_the_lamp_does() {
+    fn a_picture_keeps_its_colours_under_any_lamp() {
         let dark = Light { strength: 0.0, ambient: 0.0, ..Light::default() };
         for light in [Light::default(), dark, Light { azimuth_deg: 120.0, strength: 2.0, ..Light::default() }] {
             let own = RenderSettings { light, ..RenderSettings::default() };

@@ -9,12 +9,12 @@ use crate::{Axis, Camera, Mark, PicturePlane, Pointer, RenderSettings, Scene, Vi
 use arrival::Arrival;
 pub use frame::FrameUniforms;
 
-/// What is framed has this much room around it.
-const ROOM: f64 = 1.12;
-/// The longest step that the camera makes in one frame, so that a page that slept does not jump.
-const LONGEST_STEP_S: f64 = 0.1;
+/// Margin factor around the framed sphere.
+const MARGIN: f64 = 1.12;
+/// Longest time step of the motion, so that a page that was suspended does not jump.
+const MAX_STEP_S: f64 = 0.1;
 
-/// What is shown and how, apart from the GPU: it outlives a lost device.
+/// State of the view, independent of the GPU, so that it survives a lost device.
 #[derive(Debug, Clone)]
 pub struct Stage {
     camera: Camera,
@@ -22,7 +22,7 @@ pub struct Stage {
     marks: Vec<Mark>,
     offsets_m: [DVec3; 2],
     ground_m: DVec3,
-    /// How far the mesh that was framed reaches from its middle.
+    /// Distance of the framed mesh' furthest vertex from the centre.
     framed_m: f64,
     pixel_ratio: f64,
     pointer_px: Option<DVec2>,
@@ -32,19 +32,19 @@ pub struct Stage {
     turntable_deg_per_s: f64,
     picture: Option<PicturePlane>,
     scene: Scene,
-    /// How much of the picture is seen, 0..1.
+    /// Opacity of the picture, 0..1.
     picture_share: f64,
     arrival: Arrival,
     last_ms: Option<f64>,
     changed: bool,
 }
 
-/// What [`Stage::advance`] found.
+/// Result of [`Stage::advance`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
-    /// Something looks different now.
+    /// The frame must be drawn.
     pub draw: bool,
-    /// Something will look different in the next frame too.
+    /// The next frame will differ, too.
     pub again: bool,
 }
 
@@ -79,55 +79,54 @@ impl Stage {
         &self.camera
     }
 
-    /// The camera, to be steered; asks for a frame.
+    /// The camera, for changes; requests a frame.
     pub fn camera_mut(&mut self) -> &mut Camera {
         self.changed = true;
         &mut self.camera
     }
 
-    /// How the mesh is shown.
+    /// The render settings.
     pub fn render_settings(&self) -> &RenderSettings {
         &self.settings
     }
 
-    /// How the mesh is shown, to be changed; asks for a frame.
+    /// The render settings, for changes; requests a frame.
     pub fn render_settings_mut(&mut self) -> &mut RenderSettings {
         self.changed = true;
         &mut self.settings
     }
 
-    /// Frames a mesh from the front, and puts the ground under it.
+    /// Frames a mesh from the front and places the ground below it.
     pub fn frame(&mut self, positions_m: &[DVec3]) {
         let mut corners = positions_m.iter().copied().filter(|position| position.is_finite());
         let Some(first) = corners.next() else { return };
         let (low, high) = corners.fold((first, first), |(low, high), next| (low.min(next), high.max(next)));
         let centre_m = 0.5 * (low + high);
-        let reach_m = reach_m(positions_m, centre_m);
-        self.camera_mut().frame(centre_m, ROOM * reach_m);
-        self.framed_m = reach_m;
-        self.ground_m = DVec3::new(centre_m.x, low.y - 0.10 * reach_m, 0.7 * low.z + 0.3 * high.z);
+        let extent_m = extent_m(positions_m, centre_m);
+        self.camera_mut().frame(centre_m, MARGIN * extent_m);
+        self.framed_m = extent_m;
+        self.ground_m = DVec3::new(centre_m.x, low.y - 0.10 * extent_m, 0.7 * low.z + 0.3 * high.z);
     }
 
-    /// Goes back until a mesh that has grown out of what was framed is seen whole, or comes again when it has shrunk.
-    pub fn frame_again(&mut self, positions_m: &[DVec3]) {
-        let radius_m = ROOM * reach_m(positions_m, self.camera.centre_m()).max(self.framed_m);
+    /// Adapts the framed radius to a mesh that has grown or shrunk, but not below the radius first framed.
+    pub fn reframe(&mut self, positions_m: &[DVec3]) {
+        let radius_m = MARGIN * extent_m(positions_m, self.camera.centre_m()).max(self.framed_m);
         if (radius_m / self.camera.radius_m() - 1.0).abs() > 1e-3 {
-            self.camera_mut().frame_again(radius_m);
+            self.camera_mut().reframe(radius_m);
         }
     }
 
-    /// So many px at the picture's top, right, bottom and left have something lying over them ([`Camera::set_viewport_insets`]). A mesh
-    /// that is just arriving does so in what is left; any other glides there.
+    /// Sets the viewport insets ([`Camera::set_viewport_insets`]); without a glide while a mesh is arriving.
     pub fn set_viewport_insets(&mut self, insets_px: [f64; 4]) {
         let is_arriving = self.is_arriving();
         let camera = self.camera_mut();
         camera.set_viewport_insets(insets_px);
         if is_arriving {
-            camera.settle_clear();
+            camera.settle_visible_area();
         }
     }
 
-    /// Without what tells of tools: no marks, gizmo, plane, rim or glow, and what is framed in the middle.
+    /// A copy without marks, gizmo, plane, rim and glow, centred in the picture.
     pub fn without_tools(&self) -> Self {
         let mut bare = self.clone();
         bare.marks.clear();
@@ -139,71 +138,71 @@ impl Stage {
         bare
     }
 
-    /// Offsets in metres of the two handles whose response fields the mesh follows.
+    /// Sets the offsets in metres of the two handles whose response fields deform the mesh.
     pub fn set_offsets_m(&mut self, offsets_m: [DVec3; 2]) {
         self.set(|stage| &mut stage.offsets_m, offsets_m);
     }
 
-    /// Device pixels for each CSS pixel, which marks are measured in.
+    /// Sets the device-pixel ratio, by which marks are scaled.
     pub fn set_pixel_ratio(&mut self, pixel_ratio: f64) {
         self.set(|stage| &mut stage.pixel_ratio, pixel_ratio);
     }
 
-    /// Device pixels for each CSS pixel.
+    /// Device-pixel ratio.
     pub fn pixel_ratio(&self) -> f64 {
         self.pixel_ratio
     }
 
-    /// Where the pointer is in px, for dots near it.
+    /// Sets the pointer's position in px, for the dots near it.
     pub fn set_pointer(&mut self, pointer_px: Option<DVec2>) {
         self.set(|stage| &mut stage.pointer_px, pointer_px);
     }
 
-    /// The vertex under the pointer.
+    /// Sets the vertex under the pointer.
     pub fn set_hovered(&mut self, vertex: Option<u32>) {
         self.set(|stage| &mut stage.hovered, vertex);
     }
 
-    /// Marks on vertices.
+    /// Sets the marks on vertices.
     pub fn set_marks(&mut self, marks: Vec<Mark>) {
         self.set(|stage| &mut stage.marks, marks);
     }
 
-    /// The vertex with arms along the axes.
+    /// Sets the vertex with a gizmo.
     pub fn set_gizmo(&mut self, vertex: Option<u32>) {
         self.set(|stage| &mut stage.gizmo, vertex);
     }
 
-    /// The arm that is pointed at or dragged.
+    /// Sets the arm that is hovered or dragged.
     pub fn set_gizmo_axis(&mut self, axis: Option<Axis>) {
         self.set(|stage| &mut stage.gizmo_axis, axis);
     }
 
-    /// The vertex with arms along the axes.
+    /// The vertex with a gizmo.
     pub fn gizmo(&self) -> Option<u32> {
         self.gizmo
     }
 
-    /// The arm of the gizmo that the pointer is on; `positions_m` are where the vertices are now. None without a gizmo, or
-    /// if its vertex is not among them.
-    pub fn pick_axis(&self, place_px: DVec2, positions_m: &[DVec3], pointer: Pointer) -> Option<Axis> {
+    /// Arm of the gizmo under the pointer; `positions_m` are the current vertex positions. `None` without a gizmo or if
+    /// its vertex is out of range.
+    pub fn pick_axis(&self, position_px: DVec2, positions_m: &[DVec3], pointer: Pointer) -> Option<Axis> {
         let vertex_m = *positions_m.get(self.gizmo? as usize)?;
-        crate::markers::axis_under(&self.camera, vertex_m, place_px, self.pixel_ratio, pointer)
+        crate::markers::axis_under(&self.camera, vertex_m, position_px, self.pixel_ratio, pointer)
     }
 
-    /// Turns the mesh, in degrees a second; 0 stops.
+    /// Sets the turntable's speed in degrees per second; 0 stops it.
     pub fn set_turntable(&mut self, degrees_per_second: f64) {
         self.set(|stage| &mut stage.turntable_deg_per_s, degrees_per_second);
     }
 
-    /// Says that something looks different now of which the stage knows nothing: another mesh, a canvas that was lost.
-    pub fn ask_for_a_frame(&mut self) {
+    /// Requests a frame after a change outside the stage, such as another mesh or a restored canvas.
+    pub fn request_frame(&mut self) {
         self.changed = true;
     }
 
-    /// Moves everything that moves by itself on to `time_ms`, which is any steady clock's.
+    /// Advances animations to `time_ms`, from any monotonic clock.
     pub fn advance(&mut self, time_ms: f64) -> Step {
-        let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, LONGEST_STEP_S));
+        let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, MAX_STEP_S));
         let was_moving = self.arrival != Arrival::Over;
         self.advance_arrival(time_ms, seconds);
         let fading = self.advance_picture(seconds);
@@ -217,7 +216,7 @@ impl Stage {
         Step { draw, again }
     }
 
-    /// What the GPU reads for each mark: vertex and kind; kinds 4 to 6 are the letters of the axes.
+    /// Marks as the GPU reads them: vertex and kind; kinds 4 to 6 are the axes' letters.
     pub fn mark_words(&self) -> Vec<[u32; 2]> {
         crate::markers::mark_words(&self.marks, self.hovered, self.gizmo)
     }
@@ -230,8 +229,8 @@ impl Stage {
     }
 }
 
-/// The furthest of these from a place, as far as they are anywhere.
-fn reach_m(positions_m: &[DVec3], from_m: DVec3) -> f64 {
+/// Distance of the furthest finite position.
+fn extent_m(positions_m: &[DVec3], from_m: DVec3) -> f64 {
     positions_m.iter().map(|position| position.distance(from_m)).filter(|away| away.is_finite()).fold(0.0, f64::max)
 }
 

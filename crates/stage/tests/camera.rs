@@ -1,4 +1,4 @@
-//! What holds of a camera that is steered, whatever its lens.
+//! Properties of camera motion for any lens.
 
 use std::f64::consts::TAU;
 
@@ -13,13 +13,13 @@ fn camera() -> Camera {
 }
 
 #[test]
-fn panning_takes_the_target_along_with_the_pointer() {
+fn panning_follows_the_pointer() {
     let mut camera = camera();
     camera.set_glide(Glide::Off);
     camera.pan(30.0, -20.0);
     camera.advance(0.0);
-    let middle = camera.project(DVec3::new(0.0, 0.01, 0.02)).unwrap();
-    assert!(middle.distance(DVec2::new(430.0, 280.0)) < 1e-9, "{middle}");
+    let centre = camera.project(DVec3::new(0.0, 0.01, 0.02)).unwrap();
+    assert!(centre.distance(DVec2::new(430.0, 280.0)) < 1e-9, "{centre}");
 }
 
 #[test]
@@ -32,7 +32,7 @@ fn dragging_to_the_right_turns_the_face_to_the_right() {
 }
 
 #[test]
-fn the_glide_is_independent_of_the_frame_rate_and_ends() {
+fn the_glide_ends_and_is_independent_of_the_frame_rate() {
     let after = |frames: u32| {
         let mut camera = camera();
         camera.orbit(100.0, 30.0);
@@ -49,7 +49,7 @@ fn the_glide_is_independent_of_the_frame_rate_and_ends() {
 }
 
 #[test]
-fn named_views_look_along_the_axes_and_take_the_short_way() {
+fn named_views_look_along_the_axes() {
     let mut camera = camera();
     camera.set_glide(Glide::Off);
     camera.turn(3.0 * TAU + 0.4);
@@ -65,15 +65,15 @@ fn named_views_look_along_the_axes_and_take_the_short_way() {
 }
 
 #[test]
-fn what_is_framed_fits_into_what_nothing_lies_over() {
+fn the_framed_sphere_fits_the_visible_area() {
     for insets_px in [[0.0; 4], [40.0, 0.0, 80.0, 0.0], [10.0, 300.0, 20.0, 0.0], [0.0, 0.0, 420.0, 500.0]] {
         let mut camera = camera();
         camera.set_viewport_insets(insets_px);
         while camera.advance(0.016) {}
         let [top, right, bottom, left] = insets_px;
         let (from, to) = (DVec2::new(left, top), DVec2::new(800.0 - right, 600.0 - bottom));
-        let middle = camera.project(camera.centre_m()).unwrap();
-        assert!(middle.distance(0.5 * (from + to)) < 1e-9, "{insets_px:?}: {middle}");
+        let centre = camera.project(camera.centre_m()).unwrap();
+        assert!(centre.distance(0.5 * (from + to)) < 1e-9, "{insets_px:?}: {centre}");
         for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z] {
             let seen = camera.project(camera.centre_m() + side * camera.radius_m()).unwrap();
             assert!(seen.cmpge(from - 1e-9).all() && seen.cmple(to + 1e-9).all(), "{insets_px:?}: {seen}");
@@ -85,13 +85,13 @@ fn what_is_framed_fits_into_what_nothing_lies_over() {
 }
 
 #[test]
-fn what_has_grown_is_framed_again_without_a_jump() {
+fn reframing_glides_to_the_new_radius() {
     let mut camera = camera();
     camera.set_lens(Lens::Parallel);
     while camera.advance(0.016) {}
     let top = camera.centre_m() + DVec3::new(0.0, 0.12, 0.0);
     let (before, scale) = (camera.project(top).unwrap(), camera.m_per_px());
-    camera.frame_again(0.18);
+    camera.reframe(0.18);
     assert!(camera.project(top).unwrap().distance(before) < 1e-9);
     while camera.advance(0.016) {}
     assert!((camera.m_per_px() / scale - 1.5).abs() < 1e-9);
@@ -99,7 +99,7 @@ fn what_has_grown_is_framed_again_without_a_jump() {
 }
 
 #[test]
-fn no_input_drives_the_camera_out_of_reach() {
+fn extreme_inputs_keep_the_projection_finite() {
     let mut camera = camera();
     camera.set_glide(Glide::Off);
     for factor in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9, 1e9] {
@@ -113,10 +113,10 @@ fn no_input_drives_the_camera_out_of_reach() {
 }
 
 #[test]
-fn the_centre_appears_in_the_middle_and_left_is_right() {
+fn the_projection_has_the_documented_axes() {
     let camera = camera();
-    let middle = camera.project(DVec3::new(0.0, 0.01, 0.02)).unwrap();
-    assert!(middle.distance(DVec2::new(400.0, 300.0)) < 1e-9, "{middle}");
+    let centre = camera.project(DVec3::new(0.0, 0.01, 0.02)).unwrap();
+    assert!(centre.distance(DVec2::new(400.0, 300.0)) < 1e-9, "{centre}");
     assert!(camera.project(DVec3::new(0.05, 0.01, 0.02)).unwrap().x > 400.0);
     assert!(camera.project(DVec3::new(0.0, 0.05, 0.02)).unwrap().y < 300.0);
     let eye_m = camera.eye().truncate() / camera.eye().w;
@@ -124,7 +124,7 @@ fn the_centre_appears_in_the_middle_and_left_is_right() {
 }
 
 #[test]
-fn the_whole_sphere_is_seen_in_pictures_of_any_shape() {
+fn the_sphere_fits_pictures_of_any_aspect_ratio() {
     for (width, height) in [(1200, 500), (500, 1200), (700, 700)] {
         let mut camera = camera();
         camera.resize(width, height);

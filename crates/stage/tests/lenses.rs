@@ -1,4 +1,4 @@
-//! What holds for every lens, and what each of them is for.
+//! Properties of all lenses, and of each.
 #![expect(clippy::unwrap_used, reason = "in a test, a panic is the report")]
 
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
@@ -8,14 +8,14 @@ const CENTRE_M: DVec3 = DVec3::new(0.004, -0.01, 0.02);
 const RADIUS_M: f64 = 0.12;
 const SIZE_PX: [u32; 2] = [800, 600];
 
-/// Where a phone may have been held: beside the face, above it, and not upright.
+/// A phone's pose to the side of the face, above it and tilted.
 fn pinhole() -> Pinhole {
     let turned = DQuat::from_euler(glam::EulerRot::YXZ, -0.35, 0.2, 0.15);
-    let place = DVec3::new(0.06, -0.04, -0.36) - turned * CENTRE_M;
-    Pinhole { camera_from_model: DAffine3::from_rotation_translation(turned, place) }
+    let position = DVec3::new(0.06, -0.04, -0.36) - turned * CENTRE_M;
+    Pinhole { camera_from_model: DAffine3::from_rotation_translation(turned, position) }
 }
 
-/// A camera that frames a sphere, not under way anywhere.
+/// A camera at rest that frames a sphere.
 fn camera(lens: Lens) -> Camera {
     let mut camera = Camera::default();
     camera.resize(SIZE_PX[0], SIZE_PX[1]);
@@ -26,7 +26,7 @@ fn camera(lens: Lens) -> Camera {
     camera
 }
 
-/// The same from another side, nearer, and not centred.
+/// The same camera orbited, panned, zoomed and with insets.
 fn steered(lens: Lens) -> Camera {
     let mut camera = camera(lens);
     camera.orbit(130.0, -70.0);
@@ -37,7 +37,7 @@ fn steered(lens: Lens) -> Camera {
     camera
 }
 
-/// Points all over the sphere, and some in it.
+/// Points on the sphere and inside it.
 fn points_m() -> impl Iterator<Item = DVec3> {
     (0..60).map(|point| {
         let (turn, height) = (f64::from(point) * 2.4, 1.0 - f64::from(point) / 29.5);
@@ -47,16 +47,16 @@ fn points_m() -> impl Iterator<Item = DVec3> {
     })
 }
 
-/// The box around what a sphere covers on the view, px: where its edge is, rays only just meet it.
+/// Bounding box of the sphere on the screen in px, found by rays that hit it.
 fn silhouette_px(camera: &Camera) -> [f64; 4] {
-    let meets = |place_px: DVec2| {
-        let ray = camera.ray(place_px);
+    let hits = |position_px: DVec2| {
+        let ray = camera.ray(position_px);
         (CENTRE_M - ray.origin).cross(ray.direction).length() < RADIUS_M
     };
     let size_px = camera.size_px();
     let lines = |count: f64| (0..=400).map(move |line| f64::from(line) / 400.0 * count);
-    let column = |x: f64| lines(size_px.y).any(|y| meets(DVec2::new(x, y)));
-    let row = |y: f64| lines(size_px.x).any(|x| meets(DVec2::new(x, y)));
+    let column = |x: f64| lines(size_px.y).any(|y| hits(DVec2::new(x, y)));
+    let row = |y: f64| lines(size_px.x).any(|x| hits(DVec2::new(x, y)));
     let ends = |count: f64, any: &dyn Fn(f64) -> bool| {
         let met: Vec<f64> = lines(count).filter(|&at| any(at)).collect();
         [met[0], *met.last().unwrap()]
@@ -66,24 +66,27 @@ fn silhouette_px(camera: &Camera) -> [f64; 4] {
 }
 
 #[test]
-fn every_ray_meets_what_is_seen_at_its_place() {
+fn ray_inverts_project() {
     for lens in Lens::ALL {
         let camera = steered(lens);
         for point_m in points_m() {
-            let place_px = camera.project(point_m).unwrap();
-            let ray = camera.ray(place_px);
-            let way_m = point_m - ray.origin;
-            assert!(way_m.cross(ray.direction).length() < 1e-12 && way_m.dot(ray.direction) > 0.0, "{lens:?}");
+            let position_px = camera.project(point_m).unwrap();
+            let ray = camera.ray(position_px);
+            let to_point_m = point_m - ray.origin;
+            assert!(
+                to_point_m.cross(ray.direction).length() < 1e-12 && to_point_m.dot(ray.direction) > 0.0,
+                "{lens:?}"
+            );
             assert!((ray.direction.length() - 1.0).abs() < 1e-12);
             assert!(ray.direction.distance(-camera.to_eye(point_m)) < 1e-9, "{lens:?}");
             let along = camera.project(ray.origin + ray.direction * 0.1).unwrap();
-            assert!(along.distance(place_px) < 1e-6, "{lens:?}: {along}");
+            assert!(along.distance(position_px) < 1e-6, "{lens:?}: {along}");
         }
     }
 }
 
 #[test]
-fn what_is_moved_in_the_view_plane_follows_the_pointer() {
+fn view_plane_offsets_follow_the_pointer() {
     let motion_px = DVec2::new(25.0, -14.0);
     for lens in Lens::ALL {
         let camera = steered(lens);
@@ -96,7 +99,7 @@ fn what_is_moved_in_the_view_plane_follows_the_pointer() {
 }
 
 #[test]
-fn panning_and_zooming_only_cut_another_part_out_of_the_picture() {
+fn panning_and_zooming_only_shift_and_scale_the_picture() {
     for lens in Lens::ALL {
         let mut camera = steered(lens);
         let before: Vec<DVec2> = points_m().map(|point_m| camera.project(point_m).unwrap()).collect();
@@ -114,7 +117,7 @@ fn panning_and_zooming_only_cut_another_part_out_of_the_picture() {
 }
 
 #[test]
-fn what_is_framed_fills_the_same_share_of_the_view_with_every_lens() {
+fn the_framed_sphere_has_the_same_size_with_each_lens() {
     for (insets_px, filled_px) in [([0.0; 4], [0.0, 600.0]), ([30.0, 0.0, 170.0, 0.0], [30.0, 430.0])] {
         for lens in Lens::ALL {
             let mut camera = camera(lens);
@@ -123,12 +126,12 @@ fn what_is_framed_fills_the_same_share_of_the_view_with_every_lens() {
             let [left, top, right, bottom] = silhouette_px(&camera);
             let height_px = filled_px[1] - filled_px[0];
             assert!((bottom - top - height_px).abs() < 4.0, "{lens:?}: {} px", bottom - top);
-            // A sphere beside the eye's axis is seen as an ellipse.
+            // A sphere off the optical axis projects to an ellipse.
             assert!((right - left) / height_px < 1.05, "{lens:?}: {} px", right - left);
-            let middle = DVec2::new(left + right, top + bottom) * 0.5;
+            let centre = DVec2::new(left + right, top + bottom) * 0.5;
             assert!(
-                middle.distance(DVec2::new(400.0, 0.5 * (filled_px[0] + filled_px[1]))) < 3.0,
-                "{lens:?}: {middle}"
+                centre.distance(DVec2::new(400.0, 0.5 * (filled_px[0] + filled_px[1]))) < 3.0,
+                "{lens:?}: {centre}"
             );
         }
     }
@@ -149,7 +152,7 @@ fn with_parallel_rays_size_does_not_depend_on_depth() {
 }
 
 #[test]
-fn sizes_go_with_distance_as_for_an_eye_where_the_lens_says() {
+fn apparent_sizes_match_the_distance_of_the_lens() {
     for (lens, distance_m) in [(Lens::Portrait, 1.5), (Lens::Near, 0.5)] {
         for zoom in [1.0, 0.5, 8.0] {
             let mut camera = camera(lens);
@@ -169,7 +172,7 @@ fn sizes_go_with_distance_as_for_an_eye_where_the_lens_says() {
 }
 
 #[test]
-fn as_taken_the_view_is_the_pinholes_picture_scaled_and_shifted() {
+fn as_taken_matches_the_pinholes_picture_up_to_scale_and_shift() {
     let (focal_px, principal_px) = (2_900.0, DVec2::new(1_480.0, 2_030.0));
     let taken = |pinhole: Pinhole, point_m: DVec3| {
         let p = pinhole.camera_from_model.transform_point3(point_m);
@@ -193,13 +196,13 @@ fn as_taken_the_view_is_the_pinholes_picture_scaled_and_shifted() {
         camera.look(NamedView::Reset);
         while camera.advance(0.016) {}
         for (point_m, seen_px) in points_m().zip(&seen) {
-            assert!(camera.project(point_m).unwrap().distance(*seen_px) < 1e-6, "the way back");
+            assert!(camera.project(point_m).unwrap().distance(*seen_px) < 1e-6, "after another lens");
         }
     }
 }
 
 #[test]
-fn turned_as_taken_the_model_turns_around_its_middle_before_the_same_pinhole() {
+fn orbiting_as_taken_rotates_the_model_about_its_centre() {
     let mut camera = camera(Lens::AsTaken);
     let axes = |camera: &Camera| DMat3::from_cols(camera.right(), camera.up(), camera.back());
     let (before, places_px) = (axes(&camera), points_m().map(|point_m| camera.project(point_m).unwrap()));
@@ -207,14 +210,14 @@ fn turned_as_taken_the_model_turns_around_its_middle_before_the_same_pinhole() {
     camera.orbit(90.0, 40.0);
     camera.advance(0.0);
     let turn = axes(&camera) * before.transpose();
-    for (point_m, place_px) in points_m().zip(places_px) {
+    for (point_m, position_px) in points_m().zip(places_px) {
         let seen_px = camera.project(CENTRE_M + turn * (point_m - CENTRE_M)).unwrap();
-        assert!(seen_px.distance(place_px) < 1e-8, "{seen_px}");
+        assert!(seen_px.distance(position_px) < 1e-8, "{seen_px}");
     }
 }
 
 #[test]
-fn a_pinhole_is_needed_for_as_taken_and_one_that_sees_nothing_is_none() {
+fn without_a_usable_pinhole_as_taken_equals_portrait() {
     let portrait = camera(Lens::Portrait);
     let turned = DAffine3::from_rotation_y(3.0) * pinhole().camera_from_model;
     let inside = DAffine3::from_translation(-CENTRE_M - DVec3::Z * 0.05);
@@ -225,12 +228,12 @@ fn a_pinhole_is_needed_for_as_taken_and_one_that_sees_nothing_is_none() {
         camera.look(NamedView::Reset);
         camera.advance(0.0);
         assert_eq!(camera.clip_from_model(), portrait.clip_from_model());
-        assert_eq!(camera.lens(), Lens::AsTaken, "for the next mesh");
+        assert_eq!(camera.lens(), Lens::AsTaken, "the choice is kept for the next mesh");
     }
 }
 
 #[test]
-fn from_lens_to_lens_what_is_seen_glides_and_stays_as_large() {
+fn changing_the_lens_glides_and_keeps_the_size() {
     for from in Lens::ALL {
         for to in Lens::ALL.into_iter().filter(|to| *to != from) {
             let mut camera = camera(from);
@@ -249,7 +252,7 @@ fn from_lens_to_lens_what_is_seen_glides_and_stays_as_large() {
     }
 }
 
-/// Whether one set of places is the other scaled, alike both ways, and shifted; by how much, if that is known.
+/// Asserts that `to` is `from` uniformly scaled and shifted; by `scale`, if given.
 fn assert_affine(from: &[DVec2], to: &[DVec2], scale: Option<f64>, within_px: f64) {
     let mean = |places: &[DVec2]| places.iter().sum::<DVec2>() / places.len() as f64;
     let (from_mean, to_mean) = (mean(from), mean(to));

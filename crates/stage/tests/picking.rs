@@ -1,4 +1,4 @@
-//! From a place in the picture to the vertex there: the camera's ray and the mesh's picking, together.
+//! Picking with the camera's rays.
 #![expect(clippy::unwrap_used, reason = "in a test, a panic is the report")]
 
 use glam::{DVec2, DVec3};
@@ -15,9 +15,9 @@ fn dome() -> (Topology, Vec<DVec3>) {
         [[at, at + 1, at + side + 1], [at, at + side + 1, at + side]]
     });
     let positions = (0..side * side).map(|vertex| {
-        let place = DVec2::new(f64::from(vertex % side), f64::from(vertex / side)) / f64::from(CELLS);
-        let place = place * 2.0 - DVec2::ONE;
-        place.extend(0.9 * (1.0 - 0.5 * place.length_squared()))
+        let position = DVec2::new(f64::from(vertex % side), f64::from(vertex / side)) / f64::from(CELLS);
+        let position = position * 2.0 - DVec2::ONE;
+        position.extend(0.9 * (1.0 - 0.5 * position.length_squared()))
     });
     (Topology::new((side * side) as usize, triangles.collect()).unwrap(), positions.collect())
 }
@@ -32,11 +32,11 @@ fn a_click_on_a_vertex_picks_it() {
     stage.camera_mut().set_glide(Glide::Off);
     stage.camera_mut().orbit(30.0, -20.0);
     stage.advance(0.0);
-    let at = |place_px| pick(surface, &stage.camera().ray(place_px)).map(|hit| hit.nearest_corner());
+    let at = |position_px| pick(surface, &stage.camera().ray(position_px)).map(|hit| hit.nearest_corner());
     for vertex in [0_usize, 144, 150, 200] {
         let towards_middle = positions[vertex].lerp(positions[144], 0.02);
-        let place_px = stage.camera().project(towards_middle).unwrap();
-        assert_eq!(at(place_px), Some(vertex as u32));
+        let position_px = stage.camera().project(towards_middle).unwrap();
+        assert_eq!(at(position_px), Some(vertex as u32));
     }
     assert_eq!(at(DVec2::ONE), None);
 }

@@ -168,7 +168,7 @@ impl Studio {
     ) -> Result<js_sys::Promise, JsValue> {
         let background = if transparent { Background::Transparent } else { self.session.view().background };
         let picture = self.viewport.snapshot(&self.session.stage().without_tools(), [width_px, height_px], background);
-        self.session.stage_mut().ask_for_a_frame();
+        self.session.stage_mut().request_frame();
         let picture = picture.map_err(FacadeError::from)?;
         Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(FacadeError::from)?).into()) }))
     }

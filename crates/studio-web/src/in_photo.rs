@@ -116,7 +116,7 @@ impl Studio {
     #[wasm_bindgen(js_name = followPhoto)]
     pub fn follow_photo(&mut self) -> Result<(), JsValue> {
         self.catch_up_photo()?;
-        self.session.stage_mut().ask_for_a_frame();
+        self.session.stage_mut().request_frame();
         Ok(())
     }
 

@@ -26,7 +26,7 @@ impl Studio {
         self.camera_stream = camera_stream.or(self.camera_stream.take());
         self.take_frame(frame)?;
         self.show_camera_stream()?;
-        self.session.stage_mut().ask_for_a_frame();
+        self.session.stage_mut().request_frame();
         Ok(())
     }
 
@@ -95,7 +95,7 @@ impl Studio {
             let influence_distances = face.document().influence_distances();
             self.viewport.set_fields([None, None], influence_distances.as_deref())?;
         }
-        self.session.stage_mut().ask_for_a_frame();
+        self.session.stage_mut().request_frame();
         Ok(())
     }
 

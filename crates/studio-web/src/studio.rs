@@ -244,7 +244,7 @@ impl Studio {
 
     pub(crate) fn show_later(&mut self) {
         self.unshown = Changed::Mesh;
-        self.session.stage_mut().ask_for_a_frame();
+        self.session.stage_mut().request_frame();
     }
 
     /// The open face.
@@ -300,7 +300,7 @@ impl Studio {
             self.show_tick()?;
         }
         self.note_for_photo(changed);
-        self.session.stage_mut().ask_for_a_frame();
+        self.session.stage_mut().request_frame();
         Ok(())
     }
 

@@ -114,7 +114,7 @@ impl Viewport {
     /// Shows a mesh in place of the one before. No handle moves it yet: a stage's offsets must be zero until the next
     /// [`Self::set_fields`].
     ///
-    /// As with all that changes the mesh, the stage does not notice: [`Stage::ask_for_a_frame`].
+    /// As with all that changes the mesh, the stage does not notice: [`Stage::request_frame`].
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`] or [`ViewportError::TooManyVertices`].
@@ -210,7 +210,7 @@ impl Viewport {
             Canvas::Offscreen => {}
             #[cfg(target_arch = "wasm32")]
             Canvas::Later => {
-                stage.ask_for_a_frame();
+                stage.request_frame();
                 return Ok(true);
             }
         }

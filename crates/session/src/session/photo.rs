@@ -155,7 +155,7 @@ impl Session {
     /// Centres and radii of the protected dabs, in px of the canvas.
     pub fn protected_on_canvas(&self) -> Vec<[f64; 3]> {
         let circle = |dab: &Dab| {
-            let centre = self.stage.place_of(dab.centre_px)?;
+            let centre = self.stage.canvas_px(dab.centre_px)?;
             Some([centre.x, centre.y, dab.radius_px * self.stage.px_per_picture_px(dab.centre_px)?])
         };
         let face = self.face.as_ref();

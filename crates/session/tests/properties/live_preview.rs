@@ -126,13 +126,13 @@ fn mesh_and_camera_stream_coincide_on_the_stage_with_their_sides_swapped() {
         session.preview_frame(Some(&seen(&head_m(&session), pose)), FRAME_PX).unwrap();
         session.stage_mut().advance(16.0);
         let (stage, live_preview) = (session.stage(), session.live_preview().unwrap());
-        let [left, right] = [[0.0, 0.0], [640.0, 0.0]].map(|px| stage.place_of(px.into()).unwrap());
+        let [left, right] = [[0.0, 0.0], [640.0, 0.0]].map(|px| stage.canvas_px(px.into()).unwrap());
         assert!(left.x > right.x + 400.0 && (left.y - right.y).abs() < 1e-6, "{left} {right}");
         for vertex in [1, 33, 263, 61, 152] {
             let px = stage.camera().project(live_preview.edited_m()[vertex]).unwrap();
             let uv = live_preview.uvs()[vertex] * DVec2::from(FRAME_PX.map(f64::from));
             let seen = stage.camera().project(live_preview.seen_m()[vertex]).unwrap();
-            assert!(stage.place_of(uv).unwrap().distance(seen) < 0.05, "landmark {vertex} at {pose:?}");
+            assert!(stage.canvas_px(uv).unwrap().distance(seen) < 0.05, "landmark {vertex} at {pose:?}");
             let ray = stage.camera().ray(px);
             let aside = (live_preview.edited_m()[vertex] - ray.origin).cross(ray.direction).length();
             assert!(aside < 1e-6, "the ray misses it by {aside} m");
@@ -163,7 +163,7 @@ fn ending_the_live_preview_restores_the_photo() {
     let mut session = edited();
     session.apply(Intent::Scene(Scene::Picture)).unwrap();
     session.stage_mut().advance(0.0);
-    let corners = |session: &Session| [[0.0, 0.0], [64.0, 30.0]].map(|px| session.stage().place_of(px.into()).unwrap());
+    let corners = |session: &Session| [[0.0, 0.0], [64.0, 30.0]].map(|px| session.stage().canvas_px(px.into()).unwrap());
     let before = corners(&session);
     session.preview_frame(Some(&seen(&head_m(&session), POSES[2])), FRAME_PX).unwrap();
     session.stage_mut().advance(16.0);

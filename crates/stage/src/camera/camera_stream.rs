@@ -1,13 +1,13 @@
 use super::Camera;
 use crate::{PicturePlane, Pinhole};
 
-/// On which side of the picture things are seen.
+/// Whether the picture is mirrored left to right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Sides {
-    /// Where they are.
+    /// Not mirrored.
     #[default]
     True,
-    /// On the other one, as in a mirror. Only what is seen is swapped: everything keeps its place in the model.
+    /// Mirrored on the screen only; model coordinates do not change.
     Swapped,
 }
 
@@ -20,21 +20,21 @@ impl Sides {
     }
 }
 
-/// Pictures that come one after the other, of a mesh that moves.
+/// Frames of a camera stream.
 impl Camera {
-    /// On which side things are seen.
+    /// Whether the picture is mirrored.
     pub fn sides(&self) -> Sides {
         self.sides
     }
 
-    /// Swaps the sides of what is seen, or not.
+    /// Mirrors the picture, or not.
     pub fn set_sides(&mut self, sides: Sides) {
-        // A mirror frames its picture in another way.
+        // A mirrored picture is framed differently.
         self.carry_home(|camera| camera.sides = sides);
     }
 
-    /// Another picture takes the place of the one before, which another pinhole took: on the screen it is where that one was, at
-    /// once. Who looks at the mesh goes on looking at it as before.
+    /// Replaces the picture by the next frame, taken by another pinhole, at the same position on the screen. A view of
+    /// the mesh does not change.
     pub fn change_picture(&mut self, picture: PicturePlane, pinhole: Pinhole) {
         if self.framed.is_none() {
             self.pinhole = Some(pinhole);
@@ -43,7 +43,7 @@ impl Camera {
         self.carry_home(|camera| (camera.pinhole, camera.framed) = (Some(pinhole), Some(picture)));
     }
 
-    /// What changes how the picture is framed takes along at once who looks at it.
+    /// Applies a change and carries the current view along with the framing.
     fn carry_home(&mut self, change: impl FnOnce(&mut Self)) {
         let before = self.framed.is_some().then(|| self.home());
         change(self);

@@ -2,28 +2,28 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DMat3, DVec3};
 
-/// How what is looked at faces the viewer, in radians.
+/// Viewing direction as angles in radians.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Facing {
-    /// 0 looks at the face from +Z; positive from +X.
+    /// 0 looks from +Z; positive looks from +X.
     pub azimuth: f64,
-    /// Positive from above.
+    /// Positive looks from above.
     pub elevation: f64,
-    /// How far the camera is turned to its left around its own axis: positive leans what it sees to the right.
+    /// Rotation of the camera to its left around the optical axis: positive tilts the picture to the right.
     pub roll: f64,
 }
 
 impl Facing {
-    /// Straight from above, or as good as: there, up still has a direction.
-    pub const STEEPEST: f64 = FRAC_PI_2 - 1e-3;
+    /// Just below vertical, so that the up direction stays defined.
+    pub const MAX_ELEVATION: f64 = FRAC_PI_2 - 1e-3;
 
-    /// Of a camera with these axes, which are unit vectors at right angles.
+    /// Angles of a camera with these orthonormal axes.
     pub fn of_axes(right: DVec3, up: DVec3, back: DVec3) -> Self {
         let upright = Self { azimuth: back.x.atan2(back.z), elevation: back.y.clamp(-1.0, 1.0).asin(), roll: 0.0 };
         Self { roll: upright.axes().x_axis.dot(-up).atan2(upright.axes().x_axis.dot(right)), ..upright }
     }
 
-    /// The camera's axes in the model: right and up in the picture, and back to the viewer.
+    /// Axes of the camera in the model's frame: right, up, and back towards the viewer.
     pub fn axes(&self) -> DMat3 {
         let (sin_azimuth, cos_azimuth) = self.azimuth.sin_cos();
         let (sin_elevation, cos_elevation) = self.elevation.sin_cos();
@@ -34,7 +34,7 @@ impl Facing {
         DMat3::from_cols(right, back.cross(right), back)
     }
 
-    /// The same by the shortest way round from another.
+    /// The same orientation with angles nearest to those of `other`.
     pub fn nearest_to(&self, other: &Self) -> Self {
         let near = |angle: f64, to: f64| angle + ((to - angle) / TAU).round() * TAU;
         Self { azimuth: near(self.azimuth, other.azimuth), roll: near(self.roll, other.roll), ..*self }

@@ -4,12 +4,12 @@ use super::pose::Pose;
 use super::{Camera, Facing, NamedView, Sides};
 use crate::PicturePlane;
 
-/// What the picture is of fills at least this share of the room, though not all of the picture be seen then.
-const LEAST_SHARE: f64 = 0.5;
+/// Minimum share of the visible area that the mesh fills, even if the picture is cropped.
+const MIN_SHARE: f64 = 0.5;
 
-/// Framing the picture that was taken of the mesh, rather than the mesh.
+/// Framing of the picture taken of the mesh.
 impl Camera {
-    /// Goes to where the pinhole stood and frames the picture that it took; glides there.
+    /// Glides to the pinhole's pose and frames its picture.
     pub fn frame_picture(&mut self, picture: PicturePlane) {
         if self.framed != Some(picture) {
             self.framed = Some(picture);
@@ -17,23 +17,23 @@ impl Camera {
         }
     }
 
-    /// Frames the mesh again as at first, through its own lens.
+    /// Frames the mesh again in its initial view.
     pub fn leave_picture(&mut self) {
         if self.framed.take().is_some() {
             self.look(NamedView::Reset);
         }
     }
 
-    /// Frames the mesh again through its own lens, from where it looks.
+    /// Frames the mesh again from the current direction.
     pub fn turn_out_of_picture(&mut self) {
         let facing = self.goal.facing;
         self.leave_picture();
-        if self.seen_from().1.is_none() {
+        if self.lens_pose().1.is_none() {
             self.goal.facing = Facing { roll: 0.0, ..facing };
         }
     }
 
-    /// Is at once as the pinhole took the picture, and on its way from there by a share: 0 is there, 1 where it goes.
+    /// Sets the view between the pinhole's (`share` 0) and the goal (1), without a glide.
     pub fn lift(&mut self, picture: PicturePlane, share: f64) {
         let framed = self.framed.replace(picture);
         let taken = self.home();
@@ -41,31 +41,31 @@ impl Camera {
         self.now = taken.towards(&Pose { facing: self.goal.facing.nearest_to(&taken.facing), ..self.goal }, share);
     }
 
-    /// All of the picture or, where what it is of is small in it, as much of it as the room holds around that.
+    /// Frames the whole picture or, if the mesh is small in it, a part of the picture around the mesh.
     pub(super) fn framing(&self, picture: &PicturePlane, home: Pose) -> Pose {
         let axes = home.facing.axes();
-        let middle_m = (axes.transpose() * (picture.middle_m() - self.centre_m)).truncate();
-        let (aside_m, half_m) = home.eye.silhouette_m(home.radius_m);
+        let picture_centre_m = (axes.transpose() * (picture.centre_m() - self.centre_m)).truncate();
+        let (lateral_m, half_m) = home.eye.silhouette_m(home.radius_m);
         let (room_px, half_picture_m) = (self.visible_area_goal.size * self.size_px, 0.5 * picture.size_m());
-        // A mirror stands still, wherever what is in it goes.
-        let least_share = if self.sides == Sides::Swapped { 0.0 } else { LEAST_SHARE };
+        // The live preview does not follow the mesh.
+        let min_share = if self.sides == Sides::Swapped { 0.0 } else { MIN_SHARE };
         let px_per_m = (0.5 * room_px / half_m).min_element();
-        let zoom = ((0.5 * room_px / half_picture_m).min_element() / px_per_m).max(least_share);
-        // As near to what it is of as the picture fills the room.
+        let zoom = ((0.5 * room_px / half_picture_m).min_element() / px_per_m).max(min_share);
+        // As close to the mesh as the picture fills the visible area.
         let spare_m = (half_picture_m - 0.5 * room_px / (px_per_m * zoom)).max(DVec2::ZERO);
-        let seen_m = aside_m.clamp(middle_m - spare_m, middle_m + spare_m);
-        Pose { target_m: self.centre_m + axes * (seen_m - aside_m).extend(0.0), zoom, ..home }
+        let seen_m = lateral_m.clamp(picture_centre_m - spare_m, picture_centre_m + spare_m);
+        Pose { target_m: self.centre_m + axes * (seen_m - lateral_m).extend(0.0), zoom, ..home }
     }
 
-    /// How far from the middle it may look.
-    pub(super) fn furthest_m(&self) -> f64 {
+    /// Maximum distance of the target from the centre.
+    pub(super) fn max_distance_m(&self) -> f64 {
         let picture_m = self
             .framed
-            .map_or(0.0, |picture| picture.middle_m().distance(self.centre_m) + 0.5 * picture.size_m().length());
+            .map_or(0.0, |picture| picture.centre_m().distance(self.centre_m) + 0.5 * picture.size_m().length());
         picture_m.max(2.0 * self.radius_m())
     }
 
-    /// What changes the room there is keeps a camera at home that is there.
+    /// Applies a change of the visible area; a camera in its home view stays in it.
     pub(super) fn keep_home(&mut self, change: impl FnOnce(&mut Self)) {
         let is_home = self.framed.is_some() && self.goal == self.home();
         change(self);

@@ -3,16 +3,16 @@ use glam::DVec3;
 use super::eye::Eye;
 use super::facing::Facing;
 
-/// Where a camera is, where it looks, and how much it shows.
+/// State of the camera: target, direction, eye and zoom.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pose {
-    /// What is seen in the middle.
+    /// Point at the centre of the visible area.
     pub target_m: DVec3,
     pub facing: Facing,
     pub eye: Eye,
-    /// Radius of what is framed.
+    /// Radius of the framed sphere.
     pub radius_m: f64,
-    /// Above 1 is larger than what shows everything.
+    /// Magnification; 1 shows the whole sphere.
     pub zoom: f64,
 }
 
@@ -36,13 +36,13 @@ impl Pose {
         }
     }
 
-    /// What is beside one pose, beside another: as far to the side on the screen, and as many times as large.
+    /// Transfers a pose relative to `from` to one relative to `to`, preserving offset on the screen and relative zoom.
     pub fn carried(&self, from: &Self, to: &Self) -> Self {
-        let aside_m = from.facing.axes().transpose() * (self.target_m - from.target_m);
+        let lateral_m = from.facing.axes().transpose() * (self.target_m - from.target_m);
         let larger = to.zoom / from.zoom;
         let mix = |own: f64, from: f64, to: f64| own + (to - from);
         Self {
-            target_m: to.target_m + to.facing.axes() * aside_m / larger,
+            target_m: to.target_m + to.facing.axes() * lateral_m / larger,
             facing: Facing {
                 azimuth: mix(self.facing.azimuth, from.facing.azimuth, to.facing.azimuth),
                 elevation: mix(self.facing.elevation, from.facing.elevation, to.facing.elevation),
@@ -50,7 +50,7 @@ impl Pose {
             },
             eye: Eye {
                 nearness_per_m: mix(self.eye.nearness_per_m, from.eye.nearness_per_m, to.eye.nearness_per_m),
-                aside: self.eye.aside + (to.eye.aside - from.eye.aside),
+                lateral: self.eye.lateral + (to.eye.lateral - from.eye.lateral),
             },
             radius_m: self.radius_m,
             zoom: self.zoom * larger,

@@ -2,27 +2,26 @@ use std::f64::consts::TAU;
 
 use super::Stage;
 
-/// How long a picture is seen before what is in it rises, and how long that takes.
+/// Duration of the still picture, and of the transition to the mesh.
 const HOLD_MS: f64 = 250.0;
 const ARRIVAL_MS: f64 = 500.0;
-/// How long it then takes to show a side and to come back, and how far it turns, in radians.
+/// Duration of the swing that follows, and its amplitude in radians.
 const SWING_S: f64 = 1.6;
 const SWING: f64 = 0.34;
 
-/// A mesh's way out of the picture that was taken of it.
+/// Animation from the picture to the mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Arrival {
     Over,
     Asked,
     Since(f64),
-    /// It is there, and has turned a little and back for so many seconds.
+    /// Swings to one side and back; the elapsed seconds.
     Swings(f64),
 }
 
-/// How a mesh arrives.
+/// Arrival animation.
 impl Stage {
-    /// Shows the picture from the next frame on, and lets the mesh rise out of it in half a second; then it turns a little and
-    /// back. Nothing without a picture.
+    /// Starts the arrival: the picture, a transition to the mesh, then a slight swing. Does nothing without a picture.
     pub fn start_arrival(&mut self) {
         if self.picture.is_some() {
             self.set(|stage| &mut stage.arrival, Arrival::Asked);
@@ -30,7 +29,7 @@ impl Stage {
         }
     }
 
-    /// Lets a mesh that has arrived stand still, as somebody takes it in hand: what it is turned by it glides back.
+    /// Ends the swing when the user takes over; the rotation glides back.
     pub fn end_swing(&mut self) {
         if let Arrival::Swings(_) = self.arrival {
             self.arrival = Arrival::Over;
@@ -38,7 +37,7 @@ impl Stage {
         }
     }
 
-    /// The arrival at a frame, `seconds` after the frame before. A swing goes by these, as slow frames would skip most of it.
+    /// Advances the arrival. The swing uses clamped time steps, because slow frames would skip most of it.
     pub(super) fn advance_arrival(&mut self, time_ms: f64, seconds: f64) {
         self.arrival = match self.arrival {
             Arrival::Asked => Arrival::Since(time_ms),
@@ -57,8 +56,8 @@ impl Stage {
         matches!(self.arrival, Arrival::Asked | Arrival::Since(_))
     }
 
-    /// How far it has risen out of the picture.
-    fn risen(&self, time_ms: f64) -> f64 {
+    /// Progress of the transition from picture (0) to mesh (1).
+    fn progress(&self, time_ms: f64) -> f64 {
         match self.arrival {
             Arrival::Since(start_ms) => {
                 let share = ((time_ms - start_ms - HOLD_MS) / ARRIVAL_MS).clamp(0.0, 1.0);
@@ -71,9 +70,9 @@ impl Stage {
 
     pub(super) fn lift(&mut self, time_ms: f64) {
         if let (true, Some(picture)) = (self.is_arriving(), self.picture) {
-            let risen = self.risen(time_ms);
-            self.camera.lift(picture, risen);
-            self.picture_share = 1.0 - risen;
+            let progress = self.progress(time_ms);
+            self.camera.lift(picture, progress);
+            self.picture_share = 1.0 - progress;
         }
     }
 }

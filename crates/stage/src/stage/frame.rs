@@ -4,9 +4,9 @@ use glam::DVec2;
 use super::Stage;
 use crate::{Dots, Sides};
 
-/// What every shader reads once a frame, in the layout of a uniform buffer.
+/// Uniform buffer that the shaders read, one per frame.
 ///
-/// The viewport's `shaders/frame.wgsl` has the same fields in the same order, and a test of its own compares the sizes.
+/// The viewport's `shaders/frame.wgsl` has the same fields in the same order; a test there compares the sizes.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct FrameUniforms {
@@ -49,16 +49,16 @@ pub struct FrameUniforms {
     swapped: f32,
 }
 
-/// Stands for "no vertex" in what shaders read.
+/// Value for "no vertex" in shaders.
 const NO_VERTEX: u32 = u32::MAX;
 
 impl Stage {
-    /// The shader uniforms of this frame.
+    /// Uniforms of this frame.
     pub fn uniforms(&self) -> FrameUniforms {
         self.uniforms_at(self.settings.before)
     }
 
-    /// The same for the part of it that shows the shape before ([`RenderSettings::wipe`](crate::RenderSettings::wipe)).
+    /// Uniforms for the part that shows the original shape ([`RenderSettings::wipe`](crate::RenderSettings::wipe)).
     pub fn uniforms_before(&self) -> FrameUniforms {
         self.uniforms_at(1.0)
     }
@@ -67,7 +67,7 @@ impl Stage {
         let (camera, settings) = (&self.camera, &self.settings);
         let palette = settings.theme.palette();
         let light = &settings.surface_light();
-        // What rises out of the picture has its light, which becomes the lamp's on the way.
+        // During the arrival, the light changes from the picture's own to the lamp.
         let lamp = (1.0 - self.picture_share) as f32;
         let picture = self.picture.unwrap_or_default();
         FrameUniforms {

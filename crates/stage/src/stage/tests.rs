@@ -8,7 +8,7 @@ fn settled() -> Stage {
 }
 
 #[test]
-fn nothing_is_drawn_unless_something_changed() {
+fn frames_are_drawn_only_after_changes() {
     let mut stage = settled();
     assert_eq!(stage.advance(16.0), Step { draw: false, again: false });
     stage.set_hovered(None);
@@ -22,7 +22,7 @@ fn nothing_is_drawn_unless_something_changed() {
 }
 
 #[test]
-fn a_glide_asks_for_frames_until_it_rests() {
+fn a_glide_requests_frames_until_it_ends() {
     let mut stage = settled();
     stage.camera_mut().look(NamedView::Left);
     let frames = (1..500).take_while(|&frame| stage.advance(f64::from(frame) * 16.0).again).count();
@@ -31,7 +31,7 @@ fn a_glide_asks_for_frames_until_it_rests() {
 }
 
 #[test]
-fn without_glide_the_camera_is_there_in_the_first_frame() {
+fn without_glide_the_camera_arrives_in_one_frame() {
     let mut stage = settled();
     stage.camera_mut().set_glide(Glide::Off);
     stage.camera_mut().look(NamedView::Left);
@@ -40,7 +40,7 @@ fn without_glide_the_camera_is_there_in_the_first_frame() {
     assert!(!stage.advance(21.0).again);
 }
 
-/// A stage with a picture 200 px wide of what reaches from −1 to 1, taken from 10 m away.
+/// A stage with a picture 200 px wide of a cube from −1 to 1, taken from a distance of 10 m.
 fn with_picture() -> Stage {
     let mut stage = settled();
     stage.camera_mut().resize(600, 400);
@@ -61,11 +61,11 @@ fn run(stage: &mut Stage, frames: std::ops::Range<u32>) -> Vec<Step> {
 }
 
 #[test]
-fn a_mesh_rises_out_of_its_picture_in_half_a_second_and_once() {
+fn the_arrival_fades_from_picture_to_mesh() {
     let mut stage = with_picture();
     stage.start_arrival();
     run(&mut stage, 0..15);
-    assert_eq!(stage.picture_share(), 1.0, "the picture is seen first");
+    assert_eq!(stage.picture_share(), 1.0, "the picture is shown first");
     run(&mut stage, 15..32);
     assert!((0.2..0.8).contains(&stage.picture_share()), "{}", stage.picture_share());
     run(&mut stage, 32..50);
@@ -73,7 +73,7 @@ fn a_mesh_rises_out_of_its_picture_in_half_a_second_and_once() {
 }
 
 #[test]
-fn the_picture_fills_the_stage_and_lies_where_its_pinhole_saw_it() {
+fn the_picture_fills_the_stage() {
     let mut stage = with_picture();
     stage.show(Scene::Picture);
     run(&mut stage, 0..200);
@@ -84,7 +84,7 @@ fn the_picture_fills_the_stage_and_lies_where_its_pinhole_saw_it() {
 }
 
 #[test]
-fn the_picture_fits_into_what_is_clear_whatever_size_that_has() {
+fn the_picture_fits_the_visible_area() {
     let mut stage = with_picture();
     stage.show(Scene::Picture);
     stage.camera_mut().resize(300, 500);
@@ -95,7 +95,7 @@ fn the_picture_fits_into_what_is_clear_whatever_size_that_has() {
 }
 
 #[test]
-fn what_is_small_in_its_picture_fills_half_the_room_and_the_picture_the_rest() {
+fn a_mesh_that_is_small_in_its_picture_fills_half_the_view() {
     let mut stage = with_picture();
     let large = PicturePlane {
         origin_m: DVec3::new(-3.0, 19.0, 0.0),
@@ -115,7 +115,7 @@ fn what_is_small_in_its_picture_fills_half_the_room_and_the_picture_the_rest() {
 }
 
 #[test]
-fn who_turns_out_of_the_picture_sees_the_mesh_from_there() {
+fn turning_out_of_the_picture_keeps_the_direction() {
     let mut stage = with_picture();
     stage.show(Scene::Picture);
     run(&mut stage, 0..200);
@@ -128,30 +128,30 @@ fn who_turns_out_of_the_picture_sees_the_mesh_from_there() {
     assert!(facing.x < -0.5, "{facing}");
     stage.show(Scene::Picture);
     stage.set_picture(None);
-    assert_eq!(stage.scene(), Scene::Solid, "without a picture there is none to show");
+    assert_eq!(stage.scene(), Scene::Solid, "without a picture");
 }
 
 #[test]
-fn a_face_that_has_arrived_turns_a_little_and_back_unless_it_is_taken_in_hand() {
+fn the_swing_returns_and_can_be_ended() {
     let arrive = |frames: std::ops::Range<u32>, stage: &mut Stage| {
         frames.map(|frame| (stage.advance(1000.0 + f64::from(frame) * 16.0).again, stage.camera().back().x)).last()
     };
-    let mut left_alone = with_picture();
-    left_alone.start_arrival();
-    let (_, turned) = arrive(0..96, &mut left_alone).unwrap();
+    let mut undisturbed = with_picture();
+    undisturbed.start_arrival();
+    let (_, turned) = arrive(0..96, &mut undisturbed).unwrap();
     assert!(turned.abs() > 0.2, "{turned}");
-    let (again, turned) = arrive(96..170, &mut left_alone).unwrap();
+    let (again, turned) = arrive(96..170, &mut undisturbed).unwrap();
     assert!(!again && turned.abs() < 1e-9, "{turned}");
-    let mut taken = with_picture();
-    taken.start_arrival();
-    arrive(0..96, &mut taken);
-    taken.end_swing();
-    let (again, turned) = arrive(96..128, &mut taken).unwrap();
-    assert!(turned.abs() < 1e-2 && again, "it glides back at once: {turned}");
+    let mut ended = with_picture();
+    ended.start_arrival();
+    arrive(0..96, &mut ended);
+    ended.end_swing();
+    let (again, turned) = arrive(96..128, &mut ended).unwrap();
+    assert!(turned.abs() < 1e-2 && again, "it glides back: {turned}");
 }
 
 #[test]
-fn a_swing_is_seen_however_slow_the_frames_are() {
+fn slow_frames_do_not_skip_the_swing() {
     let mut stage = with_picture();
     stage.start_arrival();
     let mut turned = 0.0_f64;
@@ -165,7 +165,7 @@ fn a_swing_is_seen_however_slow_the_frames_are() {
 }
 
 #[test]
-fn who_is_sent_somewhere_while_it_turns_by_itself_gets_there() {
+fn a_named_view_is_reached_from_within_the_swing() {
     let mut stage = with_picture();
     stage.start_arrival();
     for frame in 0..96 {
@@ -178,23 +178,23 @@ fn who_is_sent_somewhere_while_it_turns_by_itself_gets_there() {
 }
 
 #[test]
-fn what_has_grown_is_seen_whole_and_what_has_shrunk_as_before() {
+fn the_framing_follows_growth_but_not_shrinking() {
     let mut stage = settled();
     let square = |side: f64| [DVec3::splat(-side), DVec3::splat(side)];
     stage.frame(&square(1.0));
-    let usual_m = stage.camera().radius_m();
-    stage.frame_again(&square(1.3));
-    assert!((stage.camera().radius_m() / usual_m - 1.3).abs() < 1e-12);
+    let initial_m = stage.camera().radius_m();
+    stage.reframe(&square(1.3));
+    assert!((stage.camera().radius_m() / initial_m - 1.3).abs() < 1e-12);
     for side in [1.0, 0.5] {
-        stage.frame_again(&square(side));
-        assert!((stage.camera().radius_m() / usual_m - 1.0).abs() < 1e-12);
+        stage.reframe(&square(side));
+        assert!((stage.camera().radius_m() / initial_m - 1.0).abs() < 1e-12);
     }
-    stage.frame_again(&[DVec3::NAN]);
+    stage.reframe(&[DVec3::NAN]);
     assert!(stage.camera().radius_m().is_finite());
 }
 
 #[test]
-fn a_picture_without_tools_shows_none() {
+fn without_tools_removes_marks_and_overlays() {
     let mut stage = settled();
     stage.set_marks(vec![Mark { vertex: 4, kind: MarkKind::Ring }]);
     stage.set_gizmo(Some(4));
@@ -209,22 +209,22 @@ fn a_picture_without_tools_shows_none() {
 }
 
 #[test]
-fn the_gizmo_is_picked_where_its_vertex_is_and_only_while_there_is_one() {
+fn the_gizmo_is_picked_at_its_vertex() {
     let mut stage = settled();
     let positions_m = [DVec3::splat(-1.0), DVec3::ZERO];
     stage.frame(&[DVec3::NEG_ONE, DVec3::ONE]);
     stage.camera_mut().resize(600, 600);
     let right_of_middle = DVec2::new(340.0, 302.0);
     let pick = |stage: &Stage| stage.pick_axis(right_of_middle, &positions_m, Pointer::Fine);
-    assert_eq!(pick(&stage), None, "no gizmo yet");
+    assert_eq!(pick(&stage), None, "no gizmo");
     stage.set_gizmo(Some(1));
     assert_eq!(pick(&stage), Some(Axis::X));
     stage.set_gizmo(Some(2));
-    assert_eq!(pick(&stage), None, "a vertex that this mesh does not have");
+    assert_eq!(pick(&stage), None, "vertex out of range");
 }
 
 #[test]
-fn the_turntable_turns_at_its_speed_even_after_a_pause() {
+fn the_turntable_keeps_its_speed() {
     let mut stage = settled();
     stage.set_turntable(90.0);
     for frame in 0..=100 {

@@ -30,7 +30,7 @@ impl Screen {
 
     pub fn show(&mut self, input: &MeshInput<'_>) {
         self.viewport.show(input).unwrap();
-        self.stage.ask_for_a_frame();
+        self.stage.request_frame();
     }
 
     /// Draws if anything changed; true asks for another frame.

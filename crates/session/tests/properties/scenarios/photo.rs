@@ -54,7 +54,7 @@ fn dragging_on_the_photo_moves_the_photo_with_the_pointer() {
         let (warp_mesh, _) = face(&session).photo().warp_mesh().unwrap();
         let found_px = found_px(&session, landmark);
         let at = warp_mesh.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
-        let shown = session.stage().place_of(warp_mesh.to_px[at]).unwrap();
+        let shown = session.stage().canvas_px(warp_mesh.to_px[at]).unwrap();
         let wanted = position_px(&session, landmark);
         assert!(shown.distance(wanted) < 1.0, "{landmark}: the photo shows it at {shown}, the mesh is at {wanted}");
         assert_eq!(state(&session).entry_count, 1);
@@ -95,7 +95,7 @@ fn the_stage_uses_the_photos_view_distance() {
     for landmark in VISIBLE {
         let found_px = found_px(&session, landmark);
         let at = warp_mesh.from_px.iter().position(|from| from.distance(found_px) < 1e-6).unwrap();
-        let off = session.stage().place_of(warp_mesh.to_px[at]).unwrap().distance(position_px(&session, landmark));
+        let off = session.stage().canvas_px(warp_mesh.to_px[at]).unwrap().distance(position_px(&session, landmark));
         assert!(off < 1.0, "{landmark} is {off} px off");
     }
 }
@@ -212,7 +212,7 @@ fn the_brush_paints_only_within_the_photo() {
     for (count, corner_px) in
         [DVec2::new(1.0, 1.0), DVec2::new(639.0, 300.0), DVec2::new(639.0, 639.0)].into_iter().enumerate()
     {
-        let place = session.stage().place_of(corner_px).unwrap();
+        let place = session.stage().canvas_px(corner_px).unwrap();
         act(&mut session, Intent::Press(place, Pointer::Fine));
         assert!(session.has_grabbed(), "{corner_px}");
         act(&mut session, Intent::Release);
@@ -220,7 +220,7 @@ fn the_brush_paints_only_within_the_photo() {
     }
     let radii: Vec<f64> = face(&session).photo().strokes().dabs().map(|dab| dab.radius_px).collect();
     assert!(radii.iter().all(|radius| (radius - radii[0]).abs() < 1e-9), "{radii:?}");
-    let beyond = session.stage().place_of(DVec2::new(660.0, 300.0)).unwrap();
+    let beyond = session.stage().canvas_px(DVec2::new(660.0, 300.0)).unwrap();
     act(&mut session, Intent::Press(beyond, Pointer::Coarse));
     assert!(!session.has_grabbed());
     act(&mut session, Intent::Release);
