@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 
-test("after loading, no request leaves the page", async ({ visitor }) => {
+test("after loading, the page sends no requests", async ({ visitor }) => {
   await visitor.untilLoaded();
   assert.match(await visitor.page.innerText("#privacy"), /Nothing uploaded.*your photo stays on this device/s);
   visitor.requests.length = 0;
@@ -16,7 +16,7 @@ test("after loading, no request leaves the page", async ({ visitor }) => {
   assert.match(await visitor.page.innerText("#privacy"), /Nothing uploaded/);
 });
 
-test("the page's policy forbids every other host, inline scripts and eval", async ({ visitor }) => {
+test("the policy blocks other hosts, inline scripts and eval", async ({ visitor }) => {
   const { violations, ...rest } = await visitor.page.evaluate(async () => {
     const violations = [];
     document.addEventListener("securitypolicyviolation", (event) => violations.push(event.effectiveDirective));
@@ -35,12 +35,12 @@ test("the page's policy forbids every other host, inline scripts and eval", asyn
   });
   assert.deepEqual(rest, { elsewhere: "refused", ranInline: false, evaluated: "refused" });
   assert.ok(violations.includes("connect-src") && violations.includes("img-src"));
-  // Each violation fails a test that does not expect it, and is reported in a task of its own.
+  // Violations are reported asynchronously; unexpected ones fail the test.
   await visitor.frames(2);
   assert.ok(visitor.broken.splice(0).length > 0);
 });
 
-test("markup and scripts are taken from the page's own policy alone", async ({ visitor }) => {
+test("only the page's Trusted Types policy can create markup and script URLs", async ({ visitor }) => {
   await visitor.untilLoaded();
   const { drawing, ...refused } = await visitor.page.evaluate(async () => {
     const { scriptUrl, trustedSvg } = await import(new URL("js/page/trusted.js", document.baseURI).href);
@@ -67,7 +67,7 @@ test("markup and scripts are taken from the page's own policy alone", async ({ v
   });
   assert.match(drawing, /^<svg/);
   assert.deepEqual(Object.entries(refused).filter(([, what]) => what !== "TypeError"), []);
-  // Violations are reported in a task of their own.
+  // Violations are reported asynchronously.
   await visitor.frames(2);
   assert.ok(visitor.broken.splice(0).length > 0);
 });

@@ -34,7 +34,7 @@ test("the page is served with its security headers, and all host configurations 
   assert.deepEqual(headers[0].headers.map(({ key, value }) => [key, value]), plain);
 });
 
-test("no other page frames this one", async ({ page }) => {
+test("other pages cannot frame the page", async ({ page }) => {
   const another = await page.context().newPage();
   await another.setContent(`<iframe src="${page.url()}"></iframe>`);
   const frame = await (await another.waitForSelector("iframe")).contentFrame();
@@ -42,7 +42,7 @@ test("no other page frames this one", async ({ page }) => {
   assert.equal(await frame.locator("#stage").count(), 0);
 });
 
-test("the list has every file of the page with its SHA-256, and the page's text has the list's", async () => {
+test("the list contains the SHA-256 of each file, and the page contains the list's", async () => {
   const list = await readFile(path.join(DIST, "integrity.json"));
   const { files } = JSON.parse(String(list));
   const known = new Set(["index.html", "service-worker.js", "integrity.json", "_headers", "vercel.json", "nginx.conf"]);
@@ -57,7 +57,7 @@ test("the list has every file of the page with its SHA-256, and the page's text 
   assert.ok(page.includes(`<meta name="version" content="${version}">`));
 });
 
-test("the list does not depend on the order in which files lie on the disk, or on how often it is written", async () => {
+test("the list does not depend on the order of files or on repeated runs", async () => {
   const folder = test.info().outputPath("dist");
   for (const name of (await filesOf(DIST)).reverse()) {
     await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
@@ -71,7 +71,7 @@ test("the list does not depend on the order in which files lie on the disk, or o
   }
 });
 
-test("no file of the page tells of the machine that built it", async () => {
+test("no file of the page contains a path of the build machine", async () => {
   const cargo = process.env.CARGO_HOME ?? path.join(homedir(), ".cargo");
   const traces = [ROOT, cargo, `${homedir()}${path.sep}`, process.env.CARGO_TARGET_DIR].filter(Boolean);
   for (const name of await filesOf(DIST)) {
@@ -80,7 +80,7 @@ test("no file of the page tells of the machine that built it", async () => {
   }
 });
 
-test("whoever has built the page can tell whether a published one is the same", async ({ server }) => {
+test("a local build can be compared with the published page", async ({ server }) => {
   const compared = () => run("node", [COMPARE, server.url, DIST]).then(({ stdout }) => stdout, ({ stdout }) => stdout);
   assert.match(await compared(), /every one of \d+ files is the same/);
   const worker = String(await readFile(path.join(DIST, "js/worker/vision-worker.js")));
@@ -88,7 +88,7 @@ test("whoever has built the page can tell whether a published one is the same", 
   assert.match(await compared(), /✗ js\/worker\/vision-worker\.js/);
 });
 
-/** Sorted names below the folder. @param {string} folder */
+/** Sorted file names in the folder and its subfolders. @param {string} folder */
 async function filesOf(folder) {
   const entries = await readdir(folder, { recursive: true, withFileTypes: true });
   const files = entries.filter((entry) => entry.isFile() && entry.name !== ".trunk-lock");

@@ -5,13 +5,13 @@ import { changeKept, untilKept } from "./kept.mjs";
 
 /** @type {Record<string, (history: any) => void>} */
 const BAD_HISTORIES = {
-  "an offset that is no number": (history) => (history.entries[0].move.offsets[0][2] = null),
+  "an offset that is not a number": (history) => (history.entries[0].move.offsets[0][2] = null),
   "an offset of 10³⁰ m": (history) => (history.entries[0].move.offsets[0][2] = 1e30),
-  "a level that no mesh has": (history) => (history.entries[0].move.level = 5),
-  "a point that is not there": (history) => (history.entries[0].move.handles = [9999]),
+  "a level that does not exist": (history) => (history.entries[0].move.level = 5),
+  "a vertex that does not exist": (history) => (history.entries[0].move.handles = [9999]),
 };
 
-/** @typedef {[name: string, codes: string[], change: (json: any) => unknown][]} Changes with the notices that they may get */
+/** @typedef {[name: string, codes: string[], change: (json: any) => unknown][]} Changes codes: allowed notices */
 
 /** @type {Changes} */
 const BAD_HEADERS = [
@@ -26,19 +26,19 @@ const BAD_HEADERS = [
 const BAD_EXTRAS = [
   ["a GLB of another version", ["other-version"], (extras) => (extras.version = 99)],
   ["a history of another version", ["other-version"], ({ history }) => (history.version = 99)],
-  ["a history that is none", ["damaged-glb", "bad-history"], (extras) => (extras.history = {})],
+  ["an empty object as history", ["damaged-glb", "bad-history"], (extras) => (extras.history = {})],
   ["a photo without width", ["damaged-glb", "bad-face"], (extras) => (extras.photo_px = [0, 512])],
   ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["damaged-glb", "bad-history"], ({ history }) => change(history)]),
 ];
 
-test("a project that cannot be opened leaves the face, its history and what is kept of it", async ({ editor }) => {
+test("a project that cannot be opened leaves the face, its history and the saved work unchanged", async ({ editor }) => {
   const project = await workOn(editor, "save-project");
   const bad = BAD_HEADERS.map(([name, codes, change]) => ({ name, codes, file: changedProject(project, (header) => void change(header)) }));
   bad.push({ name: "a face without a shape", codes: ["bad-face", "bad-project"], file: projectWithoutShape(project) });
   await expectRefused(editor, bad, "face.rosto");
 });
 
-test("a GLB that cannot be opened leaves the face, its history and what is kept of it", { tag: "@rare" }, async ({ editor }) => {
+test("a GLB that cannot be opened leaves the face, its history and the saved work unchanged", { tag: "@rare" }, async ({ editor }) => {
   const glb = await workOn(editor, "download-glb");
   const bad = BAD_EXTRAS.map(([name, codes, change]) => {
     const parts = partsOfGlb(glb);
@@ -48,7 +48,7 @@ test("a GLB that cannot be opened leaves the face, its history and what is kept 
   await expectRefused(editor, bad, "face.glb");
 });
 
-test("kept work whose picture is damaged gets a notice, and the page goes on", async ({ editor, page }) => {
+test("saved work with a damaged picture shows a notice, and the page stays usable", async ({ editor, page }) => {
   await workOn(editor, "save-project");
   await untilKept(page);
   await page.reload();
@@ -68,7 +68,7 @@ test("kept work whose picture is damaged gets a notice, and the page goes on", a
   assert.notDeepEqual(await editor.meshJson("mm"), found);
 });
 
-/** Two edits, and the face's file. */
+/** Makes two edits and saves the face with an action. */
 async function workOn(visitor, action) {
   await visitor.move("nose tip", "z", 9);
   await visitor.move("bottom of the chin", "y", -6);
@@ -90,7 +90,7 @@ async function expectRefused(visitor, bad, fileName) {
     assert.deepEqual(await visitor.history(), history, name);
     assert.deepEqual(await visitor.meshJson("mm"), work, name);
   }
-  // What comes next is done to the same face, and is kept.
+  // Editing continues and is saved.
   await visitor.move("nose tip", "y", 3);
   const next = await visitor.meshJson("mm");
   assert.notDeepEqual(next, work);
@@ -101,7 +101,7 @@ async function expectRefused(visitor, bad, fileName) {
   assert.deepEqual(await visitor.meshJson("mm"), work);
 }
 
-/** Runs in the page: puts something else in the place of the picture that is kept. */
+/** Runs in the page: replaces the saved picture. */
 function spoilPicture(faces, picture) {
   faces.openCursor().onsuccess = ({ target }) => target.result.update({ ...target.result.value, picture });
 }

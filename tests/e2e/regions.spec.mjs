@@ -5,13 +5,13 @@ import { assertSameMesh, way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** What the page does unless told otherwise, in the command line's words. */
+/** The page's default edit options, as options of the command line. */
 const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
 
 const NOSE_TIP = 1;
 const CHIN = 152;
 
-test("a region moves as one by its sliders, under its name, as the command line moves it", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a region moves as one by its sliders, with its name, like on the command line", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.chooseRegion("left-brow");
   assert.match(await page.innerText("#announcement"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
@@ -27,19 +27,19 @@ test("a region moves as one by its sliders, under its name, as the command line 
   assert.deepEqual(await editor.history(), ["sobrancelha esquerda", "sobrancelha esquerda"]);
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
 
-  // The choice of none is hidden, and yet there for whoever fills the page in by program.
+  // The empty option is hidden, but scripts can choose it.
   await editor.reach("#region");
   await page.selectOption("#region", "");
-  assert.ok(await page.isHidden("#landmark-tag"), "something is still selected");
+  assert.ok(await page.isHidden("#landmark-tag"), "the region is still selected");
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a region's landmarks are marked, and it is dragged by any of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
+test("a region's landmarks are marked, and it can be dragged by each of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
   await editor.findLandmark("nose tip");
   const noseTip = await editor.tagged();
   const bare = await editor.view();
   await editor.chooseRegion("nose");
-  assert.ok(difference(bare, await editor.view()) > 0.002, "nothing marks the region");
+  assert.ok(difference(bare, await editor.view()) > 0.002, "the region is not marked");
   const start = await editor.meshJson("mm");
 
   await editor.drag(noseTip, { x: 0, y: -24 });
@@ -47,7 +47,7 @@ test("a region's landmarks are marked, and it is dragged by any of them and by i
   const lifted = await editor.meshJson("mm");
   const [tip, wing, chin] = [NOSE_TIP, 64, CHIN].map((landmark) => way(start, lifted, landmark));
   assert.ok(tip[1] > 1 && Math.abs(tip[1] - wing[1]) < 1e-9, `${tip} and ${wing}`);
-  assert.ok(Math.hypot(...chin) < tip[1] / 2, `the chin came along: ${chin}`);
+  assert.ok(Math.hypot(...chin) < tip[1] / 2, `the chin moved along: ${chin}`);
 
   const middle = await editor.selectedPlace();
   await editor.drag({ x: middle.x, y: middle.y - 50 }, { x: 30, y: 20 });
@@ -56,7 +56,7 @@ test("a region's landmarks are marked, and it is dragged by any of them and by i
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
 });
 
-test("clicks take the region under the pointer, then the larger one, and the choice of a landmark comes back", { tag: "@eyes" }, async ({ editor, page }) => {
+test("clicks select the region under the pointer, then a larger one, and landmark mode restores the landmark", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagged();
   const beside = await editor.besideTheFace();
@@ -67,7 +67,7 @@ test("clicks take the region under the pointer, then the larger one, and the cho
   const plain = await editor.view();
   await page.mouse.move(tip.x, tip.y);
   const pointedAt = await editor.view();
-  assert.ok(difference(plain, pointedAt) > 0.001, "nothing shows what a click would take");
+  assert.ok(difference(plain, pointedAt) > 0.001, "the region under the pointer is not marked");
   assert.equal(await page.innerText("#landmark-tag"), "tip of the nose");
   await page.mouse.move(beside.x, beside.y);
   assert.equal(difference(plain, await editor.view()), 0, "the marks stay");
@@ -82,7 +82,7 @@ test("clicks take the region under the pointer, then the larger one, and the cho
   assert.match(await page.inputValue("#landmark-search"), /· \d+$/);
 });
 
-test("one thing is reset by itself, in one step that undo takes back", { tag: "@rare" }, async ({ editor, page }) => {
+test("the selection is reset in one undoable step", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.move("bottom of the chin", "y", -6);
   const chin = await editor.meshJson("mm");
   await editor.chooseRegion("nose");

@@ -7,7 +7,7 @@ import { colourCount, meanStep } from "./pixels.mjs";
 test.use({ visit: { expert: true } });
 
 for (const [paint, tag] of alike(["photo", "colours"])) {
-  test(`a downloaded GLB painted with ${paint} brings the face back after a reload, with its history`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
+  test(`a GLB with base colour ${paint} restores face and history after a reload`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
     const unedited = await editor.meshJson("mm");
     await editor.move("nose tip", "z", 9);
     await editor.move("bottom of the chin", "y", -6);
@@ -15,7 +15,7 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
     await editor.reach("#export-units");
     await page.check(`input[name="base-colour"][value="${paint}"]`, { force: true });
     const file = await editor.download("download-glb");
-    // Beside the face, a click lets go of the landmark and takes its marks away.
+    // A click outside the face clears the selection and its marks.
     await page.mouse.click(20, 20);
     const view = await editor.view();
 
@@ -25,8 +25,8 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
     assertCameBack(await editor.meshJson("mm"), work);
     assert.equal(await page.locator("#history li").count(), 2);
     const opened = await editor.view();
-    assert.ok(colourCount(opened) > 40, "the face came back without its colours");
-    // The texture is a JPEG: single pixels differ a little, the mean of a patch does not.
+    assert.ok(colourCount(opened) > 40, "the face was restored without its colours");
+    // The texture is a JPEG, so compare means, not pixels.
     for (const left of paint === "photo" ? [0.4, 0.45, 0.5, 0.55] : []) {
       const step = meanStep(view, opened, { left, top: 0.45, right: left + 0.05, bottom: 0.55 });
       assert.ok(step < 3, `colours are ${step} levels off at ${left} of the width`);
@@ -39,7 +39,7 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
   });
 }
 
-test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, async ({ editor, page }) => {
+test("a GLB restores the density and the eye and mouth openings", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   await page.selectOption("#triangulation", "tessellation");
   await page.selectOption("#density", "1");
@@ -54,7 +54,7 @@ test("a GLB brings its density and its eyes and mouth along", { tag: "@rare" }, 
   assert.deepEqual(opened.triangles, work.triangles);
 });
 
-test("a GLB of another program, or half of ours, leaves the work and a message", async ({ editor, page }) => {
+test("a GLB of another program, or a truncated one, shows a notice and leaves the work unchanged", async ({ editor, page }) => {
   await editor.move("nose tip", "z", 4);
   const work = await editor.meshJson("mm");
   const file = await editor.download("download-glb");

@@ -10,7 +10,7 @@ for (const [{ drawn, needs, module }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
 ])) {
-  test(`a module whose memory is spoilt under ${drawn} is started again, twice, with the work, the choices and the look`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
+  test(`a module with corrupted memory restarts twice under ${drawn} and restores work, choices and view`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
     await editor.untilLoaded();
     const start = await workOn(editor);
     const work = await editor.meshJson("mm");
@@ -27,12 +27,13 @@ for (const [{ drawn, needs, module }, tag] of alike([
     await expectTheSame(editor, { work, stands, view });
 
     for (const again of [1, 2]) {
-      // Escape would cancel an edit, too, after which the work is kept: that would meet the spoilt memory before the key does.
+      // Clicks, because Escape would also cancel an edit and save the work, and so enter the module before the key
+      // below.
       await page.click("#notice-close");
       await page.waitForSelector("#notice", { state: "hidden" });
       await page.evaluate(spoil, `${module}.js?again=${again}`);
       await page.focus("#viewport");
-      // A change of the camera by key.
+      // Turns the camera.
       await page.keyboard.press("ArrowLeft");
       await untilRestarted(editor);
       await expectTheSame(editor, { work, stands, view });
@@ -45,7 +46,7 @@ for (const [{ drawn, needs, module }, tag] of alike([
   });
 }
 
-test("a panic while a file is made or opened starts the module again, and the next try has an answer", async ({ editor, page }) => {
+test("a panic during export or opening restarts the module, and the next attempt works", async ({ editor, page }) => {
   await editor.untilLoaded();
   await workOn(editor);
   const work = await editor.meshJson("mm");
@@ -58,7 +59,7 @@ test("a panic while a file is made or opened starts the module again, and the ne
   assert.deepEqual(await editor.meshJson("mm"), work);
   await editor.untilFace();
   const texture = await editor.download("download-png");
-  assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face did not come back");
+  assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face was not restored");
 
   await page.keyboard.press("Escape");
   await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", method: "openWork" });
@@ -73,7 +74,7 @@ test("a panic while a file is made or opened starts the module again, and the ne
   assert.notDeepEqual(await editor.meshJson("mm"), work);
 });
 
-test("another face that is opened while the module starts again leaves the work where it is kept", async ({ editor, page }) => {
+test("a face opened during a restart leaves the saved work unchanged", async ({ editor, page }) => {
   await editor.untilLoaded();
   const other = await editor.download("save-project");
   await workOn(editor);
@@ -83,7 +84,7 @@ test("another face that is opened while the module starts again leaves the work 
   assert.equal(kept.length, 1);
 
   await page.evaluate(spoil, "rosto-studio-web.js");
-  // In one task, so that the file comes before the module is there again.
+  // In one task, so that the file arrives before the restart has finished.
   await page.evaluate((bytes) => {
     const options = { bubbles: true, cancelable: true };
     const dataTransfer = new DataTransfer();
@@ -98,7 +99,7 @@ test("another face that is opened while the module starts again leaves the work 
   assert.deepEqual(await histories(), kept);
 });
 
-/** Two edits on a finer mesh, with other choices and another view; resolves to the mesh before them. */
+/** Makes two edits on a finer mesh with other choices and another view; returns the mesh before them. */
 async function workOn(visitor) {
   const { page } = visitor;
   await visitor.prefer("paper");
@@ -109,13 +110,13 @@ async function workOn(visitor) {
   const start = await visitor.meshJson("mm");
   await visitor.move("nose tip", "z", 9);
   await visitor.slide("nose-width", 4);
-  // Nothing is selected any more: what is in hand does not come back.
+  // Clears the selection, which a restart does not restore.
   const { x, y } = await visitor.besideTheFace();
   await page.mouse.click(x, y);
   return start;
 }
 
-/** What is chosen. */
+/** Current choices and history. */
 async function standing(visitor) {
   const { page } = visitor;
   return {
@@ -129,9 +130,9 @@ async function standing(visitor) {
 async function expectTheSame(visitor, { work, stands, view }) {
   assert.deepEqual(await standing(visitor), stands);
   assert.deepEqual(await visitor.meshJson("mm"), work);
-  // Near the pointer, the face shows its landmarks.
+  // Moves the pointer away, because the face shows its landmarks near it.
   await visitor.page.mouse.move(4, 4);
-  // The camera looks at the face as at one that was just opened, and so a little nearer or further.
+  // The camera frames the face as newly opened, at a slightly different distance.
   const look = await visitor.view();
   for (const left of [0.42, 0.48, 0.54]) {
     const step = meanStep(view, look, { left, top: 0.4, right: left + 0.05, bottom: 0.5 });
@@ -144,7 +145,7 @@ async function untilRestarted(visitor) {
   await visitor.frames(3);
 }
 
-/** Runs in the page: every byte of the module's memory is overwritten. @param {string} module */
+/** Runs in the page: overwrites the module's memory. @param {string} module */
 async function spoil(module) {
   const { default: instantiate } = await import(new URL(`wasm/${module}`, document.baseURI).href);
   const { memory } = await instantiate();

@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 
-/** How long what was done stays on the stage, at most. */
+/** Maximum duration of the toast. */
 const GONE_MS = 6000;
 
 for (const [{ width, height }, tag] of alike([{ width: 1280, height: 720 }, { width: 390, height: 844 }, { width: 844, height: 390 }])) {
-  test(`at ${width}×${height} a download is seen on the stage for a moment, said once, and covers no tool`, { tag }, async ({ open }) => {
+  test(`at ${width}×${height} a download shows a short toast, announced once, that covers no tool`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.openFace();
@@ -16,14 +16,14 @@ for (const [{ width, height }, tag] of alike([{ width: 1280, height: 720 }, { wi
     assert.equal(await page.innerText("#toast"), "portrait.rosto is in your downloads");
     const [toast, toolbar, stage] = await Promise.all(["toast", "toolbar", "stage"].map((id) => page.locator(`#${id}`).boundingBox()));
     assert.ok(toast.y + toast.height <= toolbar.y && toast.x >= stage.x && toast.x + toast.width <= stage.x + stage.width);
-    // A screen reader has it from the one place that speaks.
+    // Screen readers read the live region instead.
     assert.equal(await page.getAttribute("#toast", "aria-hidden"), "true");
     await page.waitForSelector("#toast", { state: "hidden", timeout: GONE_MS });
     assert.deepEqual(await page.evaluate("heard"), ["portrait.rosto is in your downloads"]);
   });
 }
 
-/** Runs in the page: whatever a screen reader would say. */
+/** Runs in the page: records announcements of live regions. */
 function hearAll() {
   /** @type {string[]} */
   const heard = [];

@@ -1,5 +1,5 @@
-// The page and the command line write the same bytes of the same pixels and edits, whatever is chosen. Only JSON, which has
-// every digit of double precision, differs in the last ones, as the machines' arithmetic does.
+// The page and the command line write the same bytes for the same pixels, edits and options. JSON is excluded, because
+// its last digits depend on the build's arithmetic.
 import assert from "node:assert/strict";
 import { filesByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
@@ -11,8 +11,8 @@ test.use({ visit: { expert: true } });
 const EDITED = ["--slider", "nose-width:4"];
 
 /**
- * What is chosen on the page, and with it on the command line. Each way of painting, each material, size, density and body is in
- * one row at least.
+ * Choices on the page and the equivalent options of the command line. The rows cover each base colour, material, size,
+ * density and body.
  *
  * @typedef {{ format: string, choose: Record<string, string | boolean>, options: string[] }} Row
  * @type {Row[]}
@@ -36,8 +36,8 @@ const PRINTED = [
   { format: "stl", choose: { solid: "thickness", length: "1.2", density: "1" }, options: ["--solid", "thickness:1.2", "--density", "1"] },
 ];
 
-for (const [kind, rows] of Object.entries({ painted: PAINTED, printed: PRINTED })) {
-  test(`page and command line write the same bytes of the same face and edits: ${kind}`, async ({ visitor }) => {
+for (const [kind, rows] of Object.entries({ meshes: PAINTED, printed: PRINTED })) {
+  test(`page and command line write the same bytes for the same face and edits: ${kind}`, async ({ visitor }) => {
     await openAsCommandLine(visitor);
     await visitor.slide("nose-width", 4);
     for (const { format, choose, options } of rows) {
@@ -55,12 +55,12 @@ for (const [kind, rows] of Object.entries({ painted: PAINTED, printed: PRINTED }
   });
 }
 
-/** Chooses something about files on the page. @param {import("./visitor.mjs").Visitor} visitor */
+/** Chooses a file option on the page. @param {import("./visitor.mjs").Visitor} visitor */
 async function choosing({ page }, what, value) {
   const radios = { paint: "base-colour", solid: "solid" };
   const lists = { size: "#texture-size", density: "#export-density" };
   const checks = { unlit: "#export-unlit", morphs: "#export-morphs", expressions: "#export-expressions", eyes: "#export-eyes" };
-  // What is in a fold that is closed is chosen all the same.
+  // Opens the fold that contains the print options.
   await page.evaluate(() => (/** @type {HTMLDetailsElement} */ (document.getElementById("export-print")).open = true));
   await page.click("#tab-export");
   if (what in radios) await page.check(`input[name="${radios[what]}"][value="${value}"]`, { force: true });

@@ -3,7 +3,7 @@ import { alike, test } from "./fixtures.mjs";
 
 test.use({ visit: { expert: true } });
 
-/** What is typed, and what of the face is meant by it. */
+/** Queries and their expected matches. */
 const FOUND = {
   en: [
     ["nose", /^nose tip · 1$/],
@@ -29,18 +29,18 @@ const FOUND = {
 };
 
 for (const [[language, wishes], tag] of alike(Object.entries(FOUND))) {
-  test(`a search takes the best match, whatever the case and the accents: ${language}`, { tag }, async ({ editor, page }) => {
+  test(`a search finds the best match, ignoring case and accents: ${language}`, { tag }, async ({ editor, page }) => {
     await editor.speak(language);
     for (const [typed, meant] of wishes) {
       await editor.findLandmark(typed);
       assert.match(await page.inputValue("#landmark-search"), meant, typed);
       assert.equal(await page.getAttribute("#landmark-search", "aria-invalid"), null, typed);
-      assert.ok(await page.isVisible("#landmark-tag"), `${typed} is not in hand`);
+      assert.ok(await page.isVisible("#landmark-tag"), `${typed} is not selected`);
     }
   });
 }
 
-test("the best match is the whole name, then its beginning, then words, then a part, and the shortest of equals", async ({ visitor }) => {
+test("matches rank whole names first, then prefixes, words and parts; the shortest wins", async ({ visitor }) => {
   const found = await visitor.page.evaluate(async () => {
     const { bestMatch } = await import(new URL("js/words/search.js", document.baseURI).href);
     const names = ["left outer chin · 9", "chin crease · 18", "chinless · 3", "deep chin · 4", "chin · 199", "right chin line · 2", "Ação · 5"];
@@ -50,7 +50,7 @@ test("the best match is the whole name, then its beginning, then words, then a p
   assert.deepEqual(found, expected);
 });
 
-test("only what nothing is called is an error, which looks like one until something else is typed", async ({ editor, page }) => {
+test("only a query without a match is an error, until the text changes", async ({ editor, page }) => {
   await editor.findLandmark("nose");
   const look = () => page.locator("#landmark-search").evaluate((field) => {
     const help = document.getElementById("landmark-help");
@@ -72,12 +72,12 @@ test("only what nothing is called is an error, which looks like one until someth
   await page.locator("#landmark-search").press("Backspace");
   assert.deepEqual(await look(), fine);
   await editor.findLandmark("moustache");
-  assert.deepEqual(await look(), wrong, "what is typed once more is not sought");
+  assert.deepEqual(await look(), wrong, "a repeated query was not searched");
   await editor.speak("pt");
   assert.match(await page.innerText("#landmark-help"), /Nada se chama “moustache”/);
   await editor.findLandmark("999");
   assert.match(await page.innerText("#landmark-help"), /999/);
   await editor.findLandmark("");
-  assert.equal(await editor.landmark(), 1, "of nothing something else was found");
+  assert.equal(await editor.landmark(), 1, "an empty query changed the selection");
   assert.deepEqual(await look(), fine);
 });

@@ -8,8 +8,8 @@ test.use({ visit: { expert: true } });
 
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
-test("every paint shows the face another way, with a legend where colours are numbers", { tag: "@eyes" }, async ({ editor, page }) => {
-  // So that what would follow the nose is most of the face.
+test("each display mode changes the view; numeric ones show a legend", { tag: "@eyes" }, async ({ editor, page }) => {
+  // Without a radius, the influence covers most of the face.
   await editor.reach("#nearby");
   await page.uncheck("#nearby");
   await editor.findLandmark("nose tip");
@@ -30,7 +30,7 @@ test("every paint shows the face another way, with a legend where colours are nu
   }
 });
 
-test("lines, dots, density and open eyes and mouth each change what is drawn, and back", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("lines, points, density and openings change the view and can be reverted", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   const first = await editor.view();
   for (const box of ["wireframe", "dots"]) {
@@ -43,12 +43,12 @@ test("lines, dots, density and open eyes and mouth each change what is drawn, an
     assert.ok(difference(first, await editor.view()) > 0.003, `${select} changed nothing`);
     await page.selectOption(`#${select}`, usual);
   }
-  assert.equal(difference(first, await editor.view()), 0, "the view did not come back");
+  assert.equal(difference(first, await editor.view()), 0, "the view was not restored");
 });
 
-test("a photo keeps its own light unless the lamp is asked for; the lamp follows the small sphere and the chosen colour", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the photo keeps its light unless the lamp is enabled; sphere and colour control the lamp", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
-  assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp can be moved, and lights nothing");
+  assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp is enabled without effect");
   const own = await editor.view();
   await page.check("#light-photo");
   assert.ok(difference(own, await editor.view()) > 0.05, "the lamp does not light the photo");
@@ -70,7 +70,7 @@ test("a photo keeps its own light unless the lamp is asked for; the lamp follows
   assert.ok(difference(fromTheRight, await editor.view()) > 0.05);
 });
 
-test("the button or B shows the face before; the slider shows before and after side by side", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("holding the button or B shows the original; a click shows before and after side by side", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   const before = await editor.view();
   await editor.findLandmark("nose tip");
   const nose = await editor.onView(await editor.tagged());
@@ -82,23 +82,23 @@ test("the button or B shows the face before; the slider shows before and after s
   await page.mouse.move(button.x + 10, button.y + 10);
   await page.mouse.down();
   await page.waitForSelector("[data-comparing]");
-  // The button would be let go of if it were hidden for the picture.
+  // A hidden button would be released.
   await editor.frames(3);
   const held = PNG.sync.read(await page.locator("#viewport").screenshot());
-  assert.ok(differenceNear(after, held, nose, 60) > 0.05, "nothing is to be seen of the edit");
-  assert.ok(differenceNear(before, held, nose, 60) < 0.001, "not the face as it was found");
+  assert.ok(differenceNear(after, held, nose, 60) > 0.05, "the edit is still visible");
+  assert.ok(differenceNear(before, held, nose, 60) < 0.001, "the view is not the original");
   await page.mouse.up();
-  assert.ok(await page.isHidden("#wipe"), "a button that was held is no switch");
+  assert.ok(await page.isHidden("#wipe"), "a long press opened the comparison");
   assert.ok(difference(after, await editor.view()) < 0.001);
   await page.mouse.click(beside.x, beside.y);
   await page.keyboard.down("b");
-  // Keys show where the focus is, around the whole view.
+  // Keyboard input shows the focus ring around the view.
   assert.ok(differenceNear(before, await editor.view(), nose, 120) < 0.001);
   await page.keyboard.up("b");
 
   await editor.findLandmark("nose tip");
   await page.click("#compare");
-  assert.ok(await page.isHidden("#landmark-tag"), "the face alone is compared");
+  assert.ok(await page.isHidden("#landmark-tag"), "the tag is visible during the comparison");
   for (const [key, shows] of /** @type {const} */ ([["Home", after], ["End", before]])) {
     await page.focus("#wipe");
     await page.keyboard.press(key);
@@ -114,10 +114,10 @@ test("the button or B shows the face before; the slider shows before and after s
   assert.ok(await page.isHidden("#wipe"));
   await page.click("#compare");
   await editor.openFace();
-  assert.ok(await page.isHidden("#wipe"), "another face is compared with nothing yet");
+  assert.ok(await page.isHidden("#wipe"), "the comparison stays open for another face");
 });
 
-test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a saved picture shows the face without marks", { tag: "@eyes" }, async ({ editor, page }) => {
   const plain = PNG.sync.read(await editor.download("download-picture"));
   await editor.findLandmark("nose tip");
   await editor.reach("#pinned");
@@ -125,23 +125,23 @@ test("a picture that is saved shows the face alone", { tag: "@eyes" }, async ({ 
   await editor.reach("#anchors-shown");
   const unmarked = await editor.view();
   await page.check("#anchors-shown");
-  assert.ok(difference(unmarked, await editor.view()) > 0, "what stays is not marked");
+  assert.ok(difference(unmarked, await editor.view()) > 0, "the anchors are not marked");
   assert.deepEqual(PNG.sync.read(await editor.download("download-picture")), plain);
 });
 
-test("the turntable turns until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("auto-rotate runs until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   const first = await editor.view();
   await page.check("#turntable");
   const shot = async () => PNG.sync.read(await page.locator("#viewport").screenshot());
-  await expect.poll(async () => difference(first, await shot()), { message: "nothing turned" }).toBeGreaterThan(0.02);
+  await expect.poll(async () => difference(first, await shot()), { message: "the face did not rotate" }).toBeGreaterThan(0.02);
   await page.uncheck("#turntable");
   const turned = await editor.view();
   await editor.frames(20);
-  assert.equal(difference(turned, await editor.view()), 0, "it went on turning");
+  assert.equal(difference(turned, await editor.view()), 0, "the rotation did not stop");
 });
 
-test("the background can be any colour, also in the saved picture, or be left out there", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the background can have any colour, in the view and the saved picture, where it can also be transparent", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   await page.fill("#background-colour", "#0cb4fa");
   assert.ok(await page.isChecked("#background-plain"));

@@ -8,10 +8,10 @@ import { assertSameShape, furthest } from "./meshes.mjs";
 import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** So many presses of an arrow turn the face far enough to show a side. */
+/** Presses of an arrow key that turn the face far enough to show a side. */
 const PRESSES = 5;
 
-/** The face in the round as an arrow key turns it, in a file: to the networks another photo of the same head. */
+/** Saves a picture of the turned 3D face, which serves as another photo of the head. */
 async function turnedPhoto(visitor, key) {
   const { page } = visitor;
   await page.focus("#viewport");
@@ -23,19 +23,24 @@ async function turnedPhoto(visitor, key) {
   return file;
 }
 
-/** Waits for this many photos in the list and their face on the canvas. @param {import("./visitor.mjs").Visitor} visitor @param {number} count */
+/**
+ * Waits for `count` photos in the list and for their face.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {number} count
+ */
 async function untilPhotos(visitor, count) {
   await expect(visitor.page.locator("#photo-list li")).toHaveCount(count);
   await visitor.untilFace();
 }
 
-/** The side that each photo shows, whatever its angle. @param {import("@playwright/test").Page} page */
+/** Side that each photo shows. @param {import("@playwright/test").Page} page */
 async function sidesIn(page) {
   const rows = await page.locator("#photo-list li span").allInnerTexts();
   return rows.map((row) => /front|left|right/.exec(row)?.[0]);
 }
 
-test("photos from other sides make another mesh, the command line's, and are kept and taken away again", async ({ visitor, page }) => {
+test("photos from other sides change the mesh like on the command line, are saved, and can be removed", async ({ visitor, page }) => {
   await visitor.dropSample();
   const alone = await visitor.meshJson("mm");
   const [one, other] = [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")];
@@ -48,10 +53,10 @@ test("photos from other sides make another mesh, the command line's, and are kep
   await page.setInputFiles("#further-files", other);
   await untilPhotos(visitor, 3);
   assert.ok(await page.isHidden("#photos-missing"), await page.innerText("#photos-missing"));
-  assert.equal((await visitor.history()).length, 1, "the edit stays");
+  assert.equal((await visitor.history()).length, 1, "the edit was lost");
   await page.click("#toolbar [data-action='undo']");
   const together = await visitor.meshJson("mm");
-  assert.ok(furthest(alone, together) > 0.05, "the mesh is another one");
+  assert.ok(furthest(alone, together) > 0.05, "the mesh has not changed");
   assertSameShape(together, await meshByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]));
   const glb = await visitor.download("download-glb");
   const [made, wanted] = [partsOfGlb(glb), partsOfGlb(await glbByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]))];
@@ -63,12 +68,12 @@ test("photos from other sides make another mesh, the command line's, and are kep
   await page.reload();
   await visitor.resume();
   await untilPhotos(visitor, 3);
-  assert.deepEqual(await visitor.meshJson("mm"), edited, "to the last bit");
+  assert.deepEqual(await visitor.meshJson("mm"), edited, "the mesh differs after the reload");
   await visitor.drop(glb, "portrait.glb");
   await visitor.untilFace();
   await expect(page.locator("#history li")).toHaveCount(0);
   await untilPhotos(visitor, 3);
-  assert.deepEqual((await visitor.meshJson("mm")).positions, together.positions, "to the last bit");
+  assert.deepEqual((await visitor.meshJson("mm")).positions, together.positions, "the mesh differs after reopening");
 
   await page.click('[data-tab-name="shape"]');
   await page.locator("#photo-list li button").nth(2).click();
@@ -76,10 +81,10 @@ test("photos from other sides make another mesh, the command line's, and are kep
   await page.locator("#photo-list li button").nth(1).click();
   await page.waitForSelector("#photo-list", { state: "hidden" });
   await visitor.untilFace();
-  assert.deepEqual((await visitor.meshJson("mm")).positions, alone.positions, "the face by its first photo alone");
+  assert.deepEqual((await visitor.meshJson("mm")).positions, alone.positions, "the mesh differs from that of the first photo");
 });
 
-test("a photo without a face is named and not added, and one from where there is one says that it adds little", async ({ visitor, page }) => {
+test("a photo without a face is rejected by name, and one from the same side is reported to add little", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 9);
   const before = await visitor.meshJson("mm");
@@ -95,7 +100,7 @@ test("a photo without a face is named and not added, and one from where there is
   assert.equal((await visitor.history()).length, 1);
 });
 
-test("a photo is removed once however often its button is pressed, and comes back by mouse or key with all that it gave", async ({ visitor, page }) => {
+test("a photo is removed once, however often its button is pressed, and can be restored by mouse or keyboard", async ({ visitor, page }) => {
   await visitor.dropSample();
   await page.setInputFiles("#further-files", [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")]);
   await untilPhotos(visitor, 3);
@@ -122,7 +127,7 @@ test("a photo is removed once however often its button is pressed, and comes bac
   await untilPhotos(visitor, 3);
   assert.ok(furthest(together, await visitor.meshJson("mm")) < 1e-6, "the mesh is not that of the same photos");
 
-  // Two at once are those two, wherever the first one leaves the second.
+  // Two clicks in one task remove these two photos.
   await page.click('[data-tab-name="shape"]');
   await page.evaluate(() => {
     const [, second, third] = document.querySelectorAll("#photo-list li button");

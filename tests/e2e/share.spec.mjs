@@ -5,13 +5,13 @@ import { alike, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { crashGpu, watchGpus } from "./watches.mjs";
 
-/** A clip is there by then, however slowly the machine draws. */
+/** Time limit for a recording on a slow machine. */
 const CLIP_MS = 120_000;
 
-/** As in side-by-side.js: a share of the picture's height. */
+/** Gap as in side-by-side.js, as a fraction of the picture's height. */
 const GAP = 0.008;
 
-test("before and after are the halves of one picture, and the view stays as it was", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
+test("before and after are saved as halves of one picture, and the view does not change", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await visitor.openFace("ana");
   const found = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.move("nose tip", "x", 12);
@@ -27,9 +27,9 @@ test("before and after are the halves of one picture, and the view stays as it w
   for (const [half, alone] of [[left, found], [right, edited]]) {
     const middle = cut(alone, (alone.width - width) / 2, width);
     const over = difference(cut(half, 0, width, overCaption), cut(middle, 0, width, overCaption));
-    assert.equal(over, 0, "a half is not the picture that is saved alone");
+    assert.equal(over, 0, "a half differs from the picture saved separately");
     // "After" is shorter than "Before".
-    assert.ok(difference(half, middle) > (half === left ? 0.0004 : 0.0003), "there is no caption");
+    assert.ok(difference(half, middle) > (half === left ? 0.0004 : 0.0003), "the caption is missing");
   }
   const nose = { x: left.width / 2 + 2 * (place.x - before.view.width / 2), y: 2 * place.y };
   assert.ok(differenceNear(left, right, nose, 60) > 0.2, "the halves show the same nose");
@@ -37,7 +37,7 @@ test("before and after are the halves of one picture, and the view stays as it w
   assertSame(await standing(visitor), before);
 });
 
-test("a picture of before and after that cannot be made says so and leaves the view as it was", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.move("nose tip", "x", 12);
   const before = await standing(editor);
   await page.evaluate(refusePictures);
@@ -47,7 +47,7 @@ test("a picture of before and after that cannot be made says so and leaves the v
   assertSame(await standing(editor), before);
 });
 
-test("before and after are handed on where the browser can, and downloaded where it then will not", { tag: "@rare" }, async ({ open }) => {
+test("before/after pictures are shared if possible, and downloaded if sharing fails", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [sendFiles] });
   const { page } = visitor;
   await visitor.openFace();
@@ -65,7 +65,7 @@ test("before and after are handed on where the browser can, and downloaded where
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("the face swings once in a clip of four seconds without any tool, and is then as it was", { tag: "@eyes" }, async ({ visitor, page }) => {
+test("the face swings once in a four-second video without tools, and the view is restored", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.openFace("ana");
   await visitor.move("nose tip", "z", 8);
   const before = await standing(visitor);
@@ -84,7 +84,7 @@ test("the face swings once in a clip of four seconds without any tool, and is th
   assert.ok(await page.locator("#clip").evaluate((button) => button === document.activeElement), "the focus was lost");
   assertSame(await standing(visitor), before);
 
-  // A page of its own: the policy of this one plays no films.
+  // A separate page, because this one's policy blocks videos.
   const player = await page.context().browser().newPage();
   const { duration_s, width, height, frames } = await player.evaluate(watch, new Uint8Array(bytes));
   await player.close();
@@ -93,16 +93,16 @@ test("the face swings once in a clip of four seconds without any tool, and is th
   const [first, ...others] = frames;
   const last = others.pop();
   const turned = others.map((frame) => difference(first, frame));
-  assert.ok(Math.max(...turned) > 0.2, `it stands still: ${turned}`);
-  assert.ok(difference(first, last) < 0.05, `it does not come back: ${difference(first, last)}`);
-  assert.equal(accents(first), 0, "a tool is in the clip");
+  assert.ok(Math.max(...turned) > 0.2, `the face does not turn: ${turned}`);
+  assert.ok(difference(first, last) < 0.05, `the face does not return: ${difference(first, last)}`);
+  assert.equal(accents(first), 0, "a tool is visible in the video");
 });
 
 for (const [{ by, stop }, tag] of alike([
   { by: "Escape", stop: (/** @type {import("@playwright/test").Page} */ page) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("@playwright/test").Page} */ page) => page.click("#clip") },
 ])) {
-  test(`a clip that is cancelled by ${by} leaves no file and no trace`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
+  test(`a recording cancelled by ${by} leaves no file and no change`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
     await editor.findLandmark("nose tip");
     await page.focus("#viewport");
     await page.keyboard.press("ArrowRight");
@@ -119,7 +119,7 @@ for (const [{ by, stop }, tag] of alike([
   });
 }
 
-test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a recording ends with a notice when the page is hidden", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   const before = await editor.view();
   await recordHalf(editor);
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
@@ -127,7 +127,7 @@ test("a clip ends when the page goes out of sight, and says why", { tag: ["@eyes
   assert.equal(difference(await editor.view(), before), 0);
 });
 
-test("a clip ends when another face comes, which is seen as at first", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a recording ends when another face opens, whose view is not turned", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.openFace("another");
   await page.waitForSelector("#previous-face");
   await recordHalf(editor);
@@ -136,10 +136,10 @@ test("a clip ends when another face comes, which is seen as at first", { tag: ["
   await editor.untilFace();
   const opened = await editor.view();
   await page.click("#toolbar [data-action='reset-view']");
-  assert.equal(difference(await editor.view(), opened), 0, "the face is turned by what the clip turned the other");
+  assert.equal(difference(await editor.view(), opened), 0, "the recording turned the new face");
 });
 
-test("a clip ends when the graphics process crashes, and another can be recorded", { tag: "@eyes" }, async ({ open }) => {
+test("a recording ends when the GPU process crashes, and a new one works", { tag: "@eyes" }, async ({ open }) => {
   const visitor = await open({ scripts: [watchGpus] });
   const { page } = visitor;
   await visitor.openFace();
@@ -153,7 +153,7 @@ test("a clip ends when the graphics process crashes, and another can be recorded
   assert.equal((await coming).suggestedFilename(), "portrait-turning.webm");
 });
 
-test("a browser that records nothing says so in place of the button", async ({ open }) => {
+test("a browser without MediaRecorder shows a note instead of the button", async ({ open }) => {
   const visitor = await open({ scripts: ["delete window.MediaRecorder"] });
   const { page } = visitor;
   await visitor.openFace();
@@ -164,7 +164,7 @@ test("a browser that records nothing says so in place of the button", async ({ o
   assert.equal(await page.innerText("#clip-line"), "Este navegador não consegue gravar o vídeo. Tente outro navegador.");
 });
 
-/** What making a picture or a clip must leave as it is. @param {import("./visitor.mjs").Visitor} visitor */
+/** State that pictures and recordings must not change. @param {import("./visitor.mjs").Visitor} visitor */
 async function standing(visitor) {
   const mesh = await visitor.meshJson("mm");
   return { mesh, history: await visitor.history(), view: await visitor.view() };
@@ -176,7 +176,7 @@ function assertSame(now, before) {
   assert.equal(difference(now.view, before.view), 0, "the view is not what it was");
 }
 
-/** Starts a clip, and waits until some of it is recorded. @param {import("./visitor.mjs").Visitor} visitor */
+/** Starts a recording and waits until part of it is done. @param {import("./visitor.mjs").Visitor} visitor */
 async function recordHalf(visitor) {
   await visitor.unfold("section-export");
   await visitor.page.click("#clip");
@@ -197,14 +197,14 @@ function cut(picture, left, width, height = picture.height) {
   return part;
 }
 
-/** How many pixels are as red as the marks. @param {import("./pixels.mjs").Pixels} pixels */
+/** Number of pixels in the markers' red. @param {import("./pixels.mjs").Pixels} pixels */
 function accents({ data }) {
   let count = 0;
   for (let at = 0; at < data.length; at += 4) if (data[at] > 200 && data[at + 1] < 100 && data[at + 2] < 80) count += 1;
   return count;
 }
 
-/** Runs in a page: looks at some frames of a clip. @param {Uint8Array} bytes */
+/** Runs in a page: decodes some frames of a video. @param {Uint8Array} bytes */
 async function watch(bytes) {
   const side = 180;
   const video = document.createElement("video");
@@ -213,7 +213,7 @@ async function watch(bytes) {
   video.src = URL.createObjectURL(new Blob([bytes], { type: "video/webm" }));
   await loaded;
   const context = new OffscreenCanvas(side, side).getContext("2d", { willReadFrequently: true });
-  // A player has sought before it shows what it has found.
+  // `seeked` fires before the frame is displayed.
   const shown = async (/** @type {number} */ time_s) => {
     const frame = () => new Promise((resolve) => video.requestVideoFrameCallback((_, { mediaTime }) => resolve(mediaTime)));
     while (Math.abs((await frame()) - time_s) > 0.5);
@@ -230,7 +230,7 @@ async function watch(bytes) {
   return { duration_s: video.duration, width: video.videoWidth, height: video.videoHeight, frames };
 }
 
-/** Runs in the page: the second picture that is asked for is not drawn. */
+/** Runs in the page: the second snapshot fails. */
 async function refusePictures() {
   const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
   const snapshot = Studio.prototype.snapshot;
@@ -242,7 +242,7 @@ async function refusePictures() {
   };
 }
 
-/** Runs in the page before its own scripts: a browser that hands files on, or gives the answer that is told. */
+/** Runs in the page before its own scripts: implements sharing, or rejects it with the error named by `answer`. */
 function sendFiles() {
   window["sent"] = [];
   navigator.canShare = () => true;

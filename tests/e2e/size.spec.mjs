@@ -4,14 +4,14 @@ import { difference } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
 
-/** The measures on the panel: name to length in mm. Read at once: the panel may replace the list between two looks. */
+/** Measurements on the panel: name to length in mm. Read in one evaluation, because the panel may replace the list. */
 function measures(page) {
   return page.locator("#size-measures dt").evaluateAll((names) =>
     Object.fromEntries(names.map((name) => [name.textContent, Number.parseFloat(name.nextElementSibling.textContent)])),
   );
 }
 
-test("a face tells from how far it was photographed, and follows when that is changed, which comes back with the work", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the panel shows the estimated distance, which can be changed and is saved with the work", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-size");
   assert.match(await page.innerText("#size-camera"), /about \d+ cm ± \d+, estimated from the face/);
   assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
@@ -23,7 +23,7 @@ test("a face tells from how far it was photographed, and follows when that is ch
   await number.press("Enter");
   assert.match(await page.innerText("#size-camera"), /25 cm \(set by you\)/);
   const near = await measures(page);
-  assert.ok(near["Face width"] > found["Face width"] * 1.02, "what is behind is larger than a near camera saw it");
+  assert.ok(near["Face width"] > found["Face width"] * 1.02, "the face is not wider for a nearer camera");
   assert.ok(difference(before, await editor.view()) > 0.005, "the model did not follow");
   await page.click("[data-action=distance-known]");
   assert.equal(await number.inputValue(), usual);
@@ -41,7 +41,7 @@ test("a face tells from how far it was photographed, and follows when that is ch
   assert.equal((await measures(page))["Face width"], chosen["Face width"]);
 });
 
-test("the tape measures from one point to another, with its error", async ({ editor, page }) => {
+test("the tape measures the distance of two points with its error", async ({ editor, page }) => {
   await editor.findLandmark("right mouth corner");
   await editor.unfold("section-size");
   await page.click("[data-action=tape-start]");
@@ -55,7 +55,7 @@ test("the tape measures from one point to another, with its error", async ({ edi
   assert.ok(along > straight, said);
 });
 
-test("a tape from a point that a coarser mesh has not is taken away, and the page goes on", { tag: "@rare" }, async ({ editor, page }) => {
+test("a tape is cleared if a coarser mesh lacks its start", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   await page.selectOption("#density", "1");
   await editor.unfold("section-landmark");

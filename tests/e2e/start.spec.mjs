@@ -2,23 +2,23 @@ import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { withHeld } from "./held.mjs";
 
-/** Answers to the request for a module that leave the page without it. */
+/** Responses that leave the page without a module. */
 const TROUBLES = [
   { file: "words/en.json", what: "is not found", answer: { status: 404 }, errors: 1 },
   { file: "wasm/rosto-studio-web.js", what: "is refused", answer: { status: 500 }, errors: 0 },
-  { file: "js/main.js", what: "is a page of somebody else's", answer: { status: 200, contentType: "text/html", body: "<p>Log in" }, errors: 0 },
+  { file: "js/main.js", what: "is a foreign page", answer: { status: 200, contentType: "text/html", body: "<p>Log in" }, errors: 0 },
   { file: "page/tabs.js", what: "cannot be read", answer: { status: 200, contentType: "text/javascript", body: "export const = ;" }, errors: 1 },
 ];
 
 for (const { file, what, answer, errors } of TROUBLES) {
-  test(`a page whose ${file} ${what} says so in both languages, and can be loaded again`, async ({ open }) => {
+  test(`if ${file} ${what}, the page shows a notice in both languages and can be reloaded`, async ({ open }) => {
     const visitor = await open({ before: (context) => context.route(`**/${file}`, (route) => route.fulfill(answer)) });
     const { page } = visitor;
     await page.waitForSelector("#not-started");
     const text = await page.innerText("#not-started");
     assert.match(text, /Part of the page didn’t load/);
     assert.match(text, /Parte da página não carregou/);
-    // What arrives and cannot be read is an error of the page's, and the only one.
+    // A module that fails to parse reports one error.
     assert.equal(visitor.broken.splice(0).length, errors);
 
     await page.context().unroute(`**/${file}`);
@@ -28,7 +28,7 @@ for (const { file, what, answer, errors } of TROUBLES) {
   });
 }
 
-test("a page whose modules do not come says so, and takes it back when they do", async ({ open }) => {
+test("a notice appears while modules do not arrive, and disappears when they do", async ({ open }) => {
   const { before, deliver } = withHeld("**/words/en.json");
   /** @type {Promise<void>} */
   let arrived;
@@ -48,8 +48,8 @@ test("a page whose modules do not come says so, and takes it back when they do",
   await page.waitForSelector("#not-started", { state: "hidden" });
 });
 
-for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read", blockStorage], ["takes nothing", fillStorage]]))) {
-  test(`with a storage that ${what} the page works, and only forgets`, { tag }, async ({ open }) => {
+for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read", blockStorage], ["is full", fillStorage]]))) {
+  test(`with storage that ${what} the page works, without remembering choices`, { tag }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", scripts: [block] });
     const { page } = visitor;
     await page.waitForSelector("body[data-host='open']");
@@ -67,10 +67,10 @@ for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read
   });
 }
 
-for (const [status, tag] of alike([404, "lost"])) {
-  test(`a sample that is ${status} gets a notice, and can be tried again`, { tag }, async ({ open }) => {
+for (const [status, tag] of alike([404, "unreachable"])) {
+  test(`if the sample is ${status}, a notice appears and a retry works`, { tag }, async ({ open }) => {
     const visitor = await open({
-      before: (context) => context.route("**/assets/sample.png", (route) => (status === "lost" ? route.abort() : route.fulfill({ status }))),
+      before: (context) => context.route("**/assets/sample.png", (route) => (status === "unreachable" ? route.abort() : route.fulfill({ status }))),
     });
     const { page } = visitor;
     await page.click("#welcome [data-action='sample']");
@@ -81,7 +81,7 @@ for (const [status, tag] of alike([404, "lost"])) {
   });
 }
 
-/** Runs in the page before its own scripts, as the next. */
+/** Runs in the page before its own scripts, as does the next function. */
 function blockStorage() {
   Object.defineProperty(window, "localStorage", {
     get: () => {

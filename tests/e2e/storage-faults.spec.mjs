@@ -3,10 +3,10 @@ import { alike, test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
 import { changeKept, keptWorks, untilKept } from "./kept.mjs";
 
-/** Longer than the page waits for a database or a lock. */
+/** Longer than the page's timeouts for database and locks. */
 const PATIENCE_S = 8;
 
-test("where the space runs out as the work is committed, the page says once that it is not kept, and goes on", async ({ open }) => {
+test("if the quota is exceeded on commit, a notice says once that work is not saved, and editing continues", async ({ open }) => {
   const visitor = await open({ scripts: [countAborts] });
   const { page } = visitor;
   const browser = await page.context().newCDPSession(page);
@@ -20,9 +20,9 @@ test("where the space runs out as the work is committed, the page says once that
   const work = await visitor.work();
   await page.waitForFunction((before) => globalThis.aborts > before, aborts);
   await visitor.frames(2);
-  assert.ok(await page.isHidden("#notice"), "it is said again");
+  assert.ok(await page.isHidden("#notice"), "the notice is repeated");
 
-  // Once there is space, the next change brings everything to the database.
+  // With space available, the next change saves everything.
   await browser.send("Storage.overrideQuotaForOrigin", { origin });
   await visitor.offset("y", 4);
   const next = await visitor.work();
@@ -34,9 +34,9 @@ test("where the space runs out as the work is committed, the page says once that
 for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   ["is deleted", (page) => page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())))],
   ["loses the face", (page) => changeKept(page, ({ faces }) => faces.clear())],
-  ["loses what was done", (page) => changeKept(page, ({ done }) => done.clear())],
+  ["loses the edits", (page) => changeKept(page, ({ done }) => done.clear())],
 ]))) {
-  test(`the next change brings back everything to a database that ${what} while the page is open`, { tag }, async ({ editor, page }) => {
+  test(`the next change saves everything again if the database ${what} while the page is open`, { tag }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
     await untilKept(editor.page);
     const other = await editor.anotherTab();
@@ -51,14 +51,14 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   });
 }
 
-test("where the database is of another version, the page says that nothing is kept, and goes on", async ({ visitor, page }) => {
+test("with a database of another version, a notice says that work is not saved, and editing continues", async ({ visitor, page }) => {
   await page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
   await visitor.dropSample();
   await expectNotKept(visitor);
   await visitor.move("nose tip", "z", 9);
 });
 
-/** What may be left of a kept work. */
+/** Kinds of damage to saved work. */
 const DAMAGES = [
   (face, done) => [{ ...face, picture: new Blob([new Uint8Array(7)]) }, done],
   ({ landmarks: _, ...face }, done) => [face, done],
@@ -71,7 +71,7 @@ const DAMAGES = [
   (face, { order: _, ...done }) => [face, { ...done, edits: 7 }],
 ];
 
-test("works that are damaged in whatever way hide no older one", async ({ editor }) => {
+test("damaged works do not hide an older one", async ({ editor }) => {
   await editor.move("nose tip", "z", 9);
   const work = await editor.work();
   await untilKept(editor.page);
@@ -87,7 +87,7 @@ for (const [what, isLost, found] of /** @type {const} */ ([
   ["picture", "(size) => size > 1e6", "older"],
   ["photo's own file", "(size) => size === 1", "latest"],
 ])) {
-  test(`where the ${what} of the latest work cannot be read, the ${found} work is opened`, async ({ open }) => {
+  test(`if the ${what} of the latest work cannot be read, the ${found} work opens`, async ({ open }) => {
     const { visitor, ...works } = await twoWorks(open);
     await visitor.page.evaluate(`(${loseBlob})(${isLost})`);
     await visitor.resume();
@@ -96,10 +96,10 @@ for (const [what, isLost, found] of /** @type {const} */ ([
 }
 
 for (const [[what, seize], tag] of alike(/** @type {const} */ ([
-  ["keeps the database from opening", seizeDatabase],
-  ["has a transaction that does not end", seizeStores],
+  ["blocks the database", seizeDatabase],
+  ["has an endless transaction", seizeStores],
 ]))) {
-  test(`while another tab ${what}, the page says once that nothing is kept, and later keeps all of it`, { tag }, async ({ open }) => {
+  test(`while another tab ${what}, a notice says once that work is not saved, and later all of it is`, { tag }, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await visitor.openFace();
@@ -115,7 +115,7 @@ for (const [[what, seize], tag] of alike(/** @type {const} */ ([
     await visitor.offset("y", 6);
     const work = await visitor.work();
     await pass(visitor, PATIENCE_S);
-    assert.ok(await page.isHidden("#notice"), "it is said again");
+    assert.ok(await page.isHidden("#notice"), "the notice is repeated");
 
     await other.page.evaluate(() => globalThis.release());
     await visitor.offset("x", 2);
@@ -128,7 +128,7 @@ for (const [[what, seize], tag] of alike(/** @type {const} */ ([
   });
 }
 
-test("work that cannot be read for another tab's sake is not said to be damaged", async ({ open }) => {
+test("work blocked by another tab is not reported as damaged", async ({ open }) => {
   const { visitor, latest } = await twoWorks(open);
   const { page } = visitor;
   const other = await visitor.anotherTab();
@@ -142,7 +142,7 @@ test("work that cannot be read for another tab's sake is not said to be damaged"
   assert.deepEqual(await visitor.work(), latest);
 });
 
-test("locks that are not answered keep no work from being kept and opened again", async ({ open }) => {
+test("work is saved and reopened even if locks do not respond", async ({ open }) => {
   const visitor = await open({ hasClock: true, scripts: [muteLocks] });
   const { page } = visitor;
   await visitor.openFace();
@@ -155,7 +155,7 @@ test("locks that are not answered keep no work from being kept and opened again"
   assert.deepEqual(await visitor.work(), work);
 });
 
-test("the latest work is the one that was kept last, however the clock was set in between", { tag: "@rare" }, async ({ open }) => {
+test("the last saved work counts as the latest, regardless of clock changes", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
   await first.openFace();
   await first.move("nose tip", "z", 9);
@@ -171,7 +171,7 @@ test("the latest work is the one that was kept last, however the clock was set i
   const third = await first.anotherTab();
   await third.resume();
   assert.deepEqual(await third.work(), latest);
-  // So too with what only the last moment has said.
+  // The same for drafts, which are saved when the page is hidden.
   const offset_mm = ({ page }) => page.locator("#landmark-sliders [data-axis='z'] input[type=number]");
   await third.findLandmark("nose tip");
   await third.page.evaluate(setClockBack);
@@ -187,7 +187,7 @@ test("the latest work is the one that was kept last, however the clock was set i
   assert.equal(Number(await offset_mm(fourth).inputValue()), 3);
 });
 
-/** Two works of one visitor, who is back on the page; the latest is the one of the sample itself. */
+/** Saves two works and returns to the empty page; the latest is the sample. */
 async function twoWorks(open) {
   const visitor = await open({ hasClock: true });
   const { page } = visitor;
@@ -205,7 +205,7 @@ async function twoWorks(open) {
   return { visitor, older, latest };
 }
 
-/** Moves the page's clock on by `seconds`, and lets the database answer after each. */
+/** Advances the page's clock, with time for the database after each second. */
 async function pass(visitor, seconds) {
   for (let second = 0; second < seconds; second++) {
     await visitor.page.clock.runFor(1000);
@@ -219,7 +219,7 @@ async function expectNotKept(visitor) {
   await visitor.page.waitForSelector("#notice", { state: "hidden" });
 }
 
-/** Runs in the page: adds a later work for each kind of damage, made of the one that is kept. */
+/** Runs in the page: adds a newer work with each kind of damage, derived from the saved one. */
 async function addDamaged({ faces, done }, damages) {
   const first = (store) => new Promise((resolve) => (store.getAll().onsuccess = ({ target }) => resolve(target.result[0])));
   const [face, work] = await Promise.all([first(faces), first(done)]);
@@ -229,7 +229,9 @@ async function addDamaged({ faces, done }, damages) {
   }
 }
 
-/** Runs in the page, as the next: another connection that does not close, and whoever waits for it to. */
+/**
+ * Runs in the page, as does the next function: blocks the database by a connection that stays open during an upgrade.
+ */
 async function seizeDatabase() {
   const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
   const request = indexedDB.open("rosto", database.version + 1);
@@ -250,7 +252,7 @@ async function seizeStores() {
   globalThis.release = () => (isReleased = true);
 }
 
-/** Runs in the page, as the next: refuses the first of the blobs that are so large. */
+/** Runs in the page, as do the next functions: the first blob with a matching size cannot be read. */
 function loseBlob(isLost) {
   const { arrayBuffer } = Blob.prototype;
   let isDone = false;

@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { chooseFace, openGroup, openOther } from "./groups.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
 
-test("two tabs keep two works: each writes its own alone, and comes back with its own face and edits", async ({ editor: first, page }) => {
+test("two tabs save separate works, and each restores its own face and edits", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
   await untilKept(page);
   const [kept] = await keptWorks(page);
@@ -30,7 +30,7 @@ test("two tabs keep two works: each writes its own alone, and comes back with it
   await second.comeBack();
   assert.deepEqual(await second.work(), others);
 
-  // Both are closed; the next two tabs find both, the latest first.
+  // After both are closed, two new tabs offer both, latest first.
   await page.close();
   const third = await second.anotherTab();
   await second.page.close();
@@ -39,12 +39,12 @@ test("two tabs keep two works: each writes its own alone, and comes back with it
   const fourth = await third.anotherTab();
   await fourth.resume();
   assert.deepEqual(await fourth.work(), others);
-  // Opening them again has made no copies, which would drive other works out.
+  // Reopening makes no copies, which would displace other works.
   await untilKept(fourth.page);
   const both = await keptWorks(fourth.page);
   assert.equal(both.length, 2);
 
-  // Another photo in a tab: what was done to the one before stays as it was.
+  // Another photo in the tab leaves the previous work unchanged.
   await openOther(fourth);
   await untilKept(fourth.page, 3);
   const now = await keptWorks(fourth.page);
@@ -52,7 +52,7 @@ test("two tabs keep two works: each writes its own alone, and comes back with it
   for (const { slot, edits } of both) assert.deepEqual(now.find((one) => one.slot === slot)?.edits, edits);
 });
 
-test("a face left in one tab that goes on in another comes back in the first as it was left there", async ({ visitor: first, page }) => {
+test("a face edited in another tab is restored in the first tab as left there", async ({ visitor: first, page }) => {
   await openGroup(first);
   await first.move("nose tip", "z", 9);
   await untilKept(page);
@@ -85,7 +85,7 @@ test("a face left in one tab that goes on in another comes back in the first as 
   }
 });
 
-test("work that is open in another tab by now is said to be there, or the next one is opened", async ({ editor: first, page }) => {
+test("work open in another tab is reported, or the next work opens", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
   await untilKept(page);
   await page.reload();
@@ -103,7 +103,7 @@ test("work that is open in another tab by now is said to be there, or the next o
   assert.match((await second.notice()).text, /aberto em outra aba/);
   await second.speak("en");
 
-  // Of two works, the other tab gets the one that nobody has.
+  // With two works, the other tab gets the free one.
   await openOther(second);
   await second.move("bottom of the chin", "y", -6);
   await untilKept(second.page, 2);

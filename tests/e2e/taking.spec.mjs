@@ -8,11 +8,11 @@ test.use({ visit: { expert: true } });
 const NOSE_TIP = 1;
 const FOREHEAD = 151;
 const NOSE_SIDES = [45, 275];
-/** The middles of the upper and the lower lids, and the lips' inner lines. */
+/** Centres of the upper and lower eyelids, and inner contour of the lips. */
 const EYELIDS = [159, 386, 145, 374];
 const INNER_LIPS = [13, 14, 82, 87, 312, 317];
 
-test("the nose goes sideways, too, without mirroring, and up to a slider's end, and says so", async ({ editor, page }) => {
+test("the nose can move sideways without mirroring, up to the slider's limit", async ({ editor, page }) => {
   assert.ok(await page.isChecked("#mirror"));
   const tip = await editor.landmarkPlace(NOSE_TIP);
   const start = await editor.meshJson("mm");
@@ -25,12 +25,12 @@ test("the nose goes sideways, too, without mirroring, and up to a slider's end, 
   await page.click("#toolbar [data-action='undo']");
   await editor.drag(tip, { x: 3, y: -40 });
   const moved = await editor.meshJson("mm");
-  assert.ok(Math.abs(way(start, moved, NOSE_TIP)[0]) < 1e-9, "a hand that goes up is not quite straight");
+  assert.ok(Math.abs(way(start, moved, NOSE_TIP)[0]) < 1e-9, "a nearly vertical drag moved the nose sideways");
   const [right, left] = NOSE_SIDES.map((wing) => way(start, moved, wing));
   assert.ok(right[1] > 0.1 && Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
   await editor.drag(tip, { x: 0, y: 0 });
-  assert.deepEqual(await editor.history(), [], "what moves nothing is no edit");
+  assert.deepEqual(await editor.history(), [], "a drag without motion made an edit");
 
   await editor.grab(tip, { x: 0, y: -600 });
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, at its limit");
@@ -45,10 +45,10 @@ test("the nose goes sideways, too, without mirroring, and up to a slider's end, 
   const aside = await editor.meshJson("mm");
   await editor.offset("y", 5);
   const lifted = way(aside, await editor.meshJson("mm"), NOSE_TIP);
-  assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `what a slider rounds is no move: ${lifted}`);
+  assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `rounding by a slider moved the nose: ${lifted}`);
 });
 
-test("an edit is near and shows its reach: pulling the nose leaves teeth and eyelids alone", { tag: "@eyes" }, async ({ editor, page }) => {
+test("an edit shows its limited influence: pulling the nose leaves lips and eyelids in place", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
   const start = await editor.meshJson("mm");
@@ -57,7 +57,7 @@ test("an edit is near and shows its reach: pulling the nose leaves teeth and eye
   assert.ok(Math.abs(way(start, moved, NOSE_TIP)[2] - 12) < 1e-9);
   for (const vertex of [...EYELIDS, ...INNER_LIPS]) {
     const way_mm = Math.hypot(...way(start, moved, vertex));
-    assert.ok(way_mm < 0.05, `${vertex} goes along by ${way_mm} mm`);
+    assert.ok(way_mm < 0.05, `${vertex} moved along by ${way_mm} mm`);
   }
   await page.click("#toolbar [data-action='undo']");
 
@@ -66,7 +66,7 @@ test("an edit is near and shows its reach: pulling the nose leaves teeth and eye
   for (const nearby of [true, false]) {
     await editor.reach("#nearby");
     await page.setChecked("#nearby", nearby);
-    // So far that the edit itself is not to be seen, but its reach is.
+    // Too small for the edit to be visible, but not for its influence.
     await editor.grab(tip, { x: 0, y: -8 });
     shots.push(await editor.view());
     await page.keyboard.press("Escape");
@@ -77,16 +77,16 @@ test("an edit is near and shows its reach: pulling the nose leaves teeth and eye
 });
 
 for (const [mode, tag] of alike(["landmark", "region", "point"])) {
-  test(`what lights up under the pointer is what a press takes: ${mode}`, { tag }, async ({ editor }) => {
+  test(`a press grabs the highlighted point: ${mode}`, { tag }, async ({ editor }) => {
     await editor.reach("#selection");
     await editor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
     const { lit, turned } = await editor.takeAtEach(9);
-    assert.ok(lit >= 12, `${lit} places light up`);
-    assert.deepEqual(turned, [], "lit places that a press does not take");
+    assert.ok(lit >= 12, `${lit} points are highlighted`);
+    assert.deepEqual(turned, [], "highlighted points that a press does not grab");
   });
 }
 
-test("what lights up below a resting pointer is what a press takes, however the face moved", { tag: "@rare" }, async ({ editor, page }) => {
+test("a press grabs the point highlighted under a resting pointer after the face has moved", { tag: "@rare" }, async ({ editor, page }) => {
   const tip = await editor.landmarkPlace(NOSE_TIP);
   const [x, y] = [tip.x + 45, tip.y - 30];
   await page.focus("#viewport");
@@ -110,11 +110,11 @@ test("what lights up below a resting pointer is what a press takes, however the 
   assert.ok(names.size > 3, `the same everywhere: ${[...names]}`);
 });
 
-test("beside the face, or with another button, the face turns; with Shift it moves", { tag: "@rare" }, async ({ editor, page }) => {
+test("dragging outside the face, or with another button, turns it, and pans with Shift", { tag: "@rare" }, async ({ editor, page }) => {
   const tip = await editor.landmarkPlace(NOSE_TIP);
   const brow = await editor.landmarkPlace(FOREHEAD);
   const beside = await editor.besideTheFace();
-  /** How the nose and the forehead go when a stroke is made. */
+  /** Motion of nose and forehead caused by a stroke. */
   const stroke = async (from, button) => {
     await page.mouse.move(from.x, from.y);
     await page.mouse.down({ button });

@@ -8,7 +8,7 @@ const LOWER_LIP = 17;
 
 test.use({ visit: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 } });
 
-test("on a phone two fingers, or one beside the face, turn it, two pinch it, three move it, and one drags", async ({ editor, page }) => {
+test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) => {
   const send = await toucher(page);
   const at = await page.locator("#viewport").boundingBox();
   const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
@@ -35,7 +35,7 @@ test("on a phone two fingers, or one beside the face, turn it, two pinch it, thr
     assert.ok(Math.hypot(dx - 20, dy - 50) < 8, `an eye went by ${dx}, ${dy}`);
   }
   await reset();
-  assert.deepEqual(await editor.history(), [], "fingers that look edit nothing");
+  assert.deepEqual(await editor.history(), [], "view gestures made an edit");
 
   const tip = await nose();
   const before = await editor.meshJson("mm");
@@ -44,7 +44,7 @@ test("on a phone two fingers, or one beside the face, turn it, two pinch it, thr
   const went = way(before, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(went[0] > 2 && went[1] > 2, `it went by ${went}`);
 
-  // Beside the arm of the gizmo that points up, where a finger can mean nothing else.
+  // Next to the gizmo's upward arm, where a touch is unambiguous.
   await editor.findLandmark(String(NOSE_TIP));
   const arm = shifted([await editor.tagged()], 14, -52);
   const lifted = await editor.meshJson("mm");
@@ -53,14 +53,14 @@ test("on a phone two fingers, or one beside the face, turn it, two pinch it, thr
   assert.ok(along[1] > 2 && Math.hypot(along[0], along[2]) < 1e-9, `it went by ${along}`);
 });
 
-test("on a phone a tap selects and a drag moves it, while a second finger changes how far that reaches", async ({ editor, page }) => {
+test("on a phone a tap selects, a drag moves, and a second finger changes the influence radius", async ({ editor, page }) => {
   const send = await toucher(page);
   const lip = await editor.landmarkPlace(LOWER_LIP);
   await stroke(send, [lip], [lip]);
   assert.equal(await editor.landmark(), LOWER_LIP);
-  assert.deepEqual(await editor.history(), [], "a tap moves nothing");
+  assert.deepEqual(await editor.history(), [], "a tap made an edit");
 
-  // A finger is not exact: what is selected is taken from beside it.
+  // Touch is inexact, so a press near the selection grabs it.
   const radius = async () => Number(await page.inputValue("#radius input[type=number]"));
   const usual_mm = await radius();
   const beside = { x: lip.x - 16, y: lip.y + 12, id: 0 };
@@ -77,11 +77,11 @@ test("on a phone a tap selects and a drag moves it, while a second finger change
   await send("touchEnd", [held]);
   await send("touchMove", [{ ...held, y: held.y + 8 }]);
   await send("touchEnd", []);
-  assert.equal((await editor.history()).length, 1, "the drag went on under the first finger");
+  assert.equal((await editor.history()).length, 1, "the drag did not continue with the first finger");
   assert.equal(await editor.landmark(), LOWER_LIP);
 });
 
-test("on a phone the sheet leaves most of the face free; nothing overlaps or scrolls sideways at 360 and 1024 px", async ({ open }) => {
+test("on a phone the bottom sheet leaves most of the face visible, without overlaps or horizontal scrolling", async ({ open }) => {
   const narrow = { width: 360, height: 740 };
   const visitor = await open({ viewport: narrow });
   const { page } = visitor;
@@ -101,17 +101,17 @@ test("on a phone the sheet leaves most of the face free; nothing overlaps or scr
   for (const tab of ["view", "export", "shape"]) {
     await page.click(`#tab-${tab}`);
     assert.deepEqual(await findings(page), [], tab);
-    assert.ok(await page.isVisible("#announcement"), `what is said to screen readers is not said on the ${tab} tab`);
+    assert.ok(await page.isVisible("#announcement"), `the live region is hidden on the ${tab} tab`);
   }
 });
 
-/** Sends the browser touches. @param {import("@playwright/test").Page} page */
+/** A function that sends touch events. @param {import("@playwright/test").Page} page */
 async function toucher(page) {
   const session = await page.context().newCDPSession(page);
   return (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
 }
 
-/** Moves fingers from some places to others. @param {Awaited<ReturnType<typeof toucher>>} send */
+/** Moves fingers from one set of positions to another. @param {Awaited<ReturnType<typeof toucher>>} send */
 async function stroke(send, from, to) {
   await send("touchStart", from);
   for (const share of [0.2, 0.4, 0.6, 0.8, 1]) {

@@ -5,7 +5,7 @@ import { panicIn } from "./watches.mjs";
 
 test.use({ visit: { scripts: [countCalls] } });
 
-test("nothing is asked of a module that has trapped, whatever is pressed before and after another is there", async ({ editor, page }) => {
+test("after a trap no code calls into the module, before or after a new instance exists", async ({ editor, page }) => {
   await editor.untilLoaded();
   await editor.move("nose tip", "z", 9);
   await editor.meshJson("mm");
@@ -21,20 +21,20 @@ test("nothing is asked of a module that has trapped, whatever is pressed before 
   await pressEverything(editor);
   await editor.drop(project, "face.rosto");
   await editor.frames(5);
-  assert.equal(await page.evaluate("modules.calls[0]"), calls, "the module that trapped was asked");
+  assert.equal(await page.evaluate("modules.calls[0]"), calls, "the trapped module was called");
 
   await page.keyboard.press("Escape");
   await page.evaluate("modules.release()");
   await page.waitForSelector("#notice[data-code='restarted']");
   await editor.untilFace();
   await pressEverything(editor);
-  // Objects of the module that trapped are collected by now.
+  // Collects wrappers of the trapped module's objects.
   await page.requestGC();
   await editor.frames(5);
-  assert.equal(await page.evaluate("modules.calls[0]"), calls, "the module that trapped was asked later");
+  assert.equal(await page.evaluate("modules.calls[0]"), calls, "the trapped module was called later");
 });
 
-/** Uses whatever is on the page and asks the studio something, and the pointer on the face. */
+/** Uses the page's controls and drags on the face. */
 async function pressEverything(editor) {
   const { page } = editor;
   const { x, y, width, height } = await page.locator("#viewport").boundingBox();
@@ -54,7 +54,7 @@ async function pressEverything(editor) {
   await editor.frames(5);
 }
 
-/** Runs in the page before its scripts: counts the calls into each instance of the page's module, and holds the second back. */
+/** Runs in the page before its scripts: counts calls into each module instance, and delays the second instance. */
 function countCalls() {
   const modules = { calls: [], isWaiting: false, release: () => {} };
   const held = new Promise((resolve) => (modules.release = resolve));

@@ -3,9 +3,9 @@ import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 import { keptWorks, untilKept } from "./kept.mjs";
 
-test("a page that is gone back to goes on with its work", { tag: "@way-back" }, async ({ editor, page }) => {
+test("a page restored from the back/forward cache continues its work", { tag: "@way-back" }, async ({ editor, page }) => {
   await leave(editor);
-  assert.ok(await goBack(page), "the browser did not keep the page");
+  assert.ok(await goBack(page), "the page was not in the back/forward cache");
   await expect.poll(async () => (await keptWorks(page)).filter(({ isHeld }) => isHeld).length).toBe(1);
   await editor.offset("y", 4);
   const work = await editor.work();
@@ -15,8 +15,8 @@ test("a page that is gone back to goes on with its work", { tag: "@way-back" }, 
   assert.deepEqual(await editor.work(), work);
 });
 
-for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["went on in", false]])) {
-  test(`a page that is gone back to leaves alone the work that ${how} another tab`, { tag: "@way-back" }, async ({ editor, page }) => {
+for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["was continued in", false]])) {
+  test(`a page restored from the back/forward cache does not change work that ${how} another tab`, { tag: "@way-back" }, async ({ editor, page }) => {
     await leave(editor);
     const other = await editor.anotherTab();
     await other.resume();
@@ -28,7 +28,7 @@ for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["went o
     await page.bringToFront();
     let work;
     if (await goBack(page)) {
-      // What is edited here now is kept beside the work that was continued elsewhere.
+      // New edits are saved separately from the work continued elsewhere.
       await untilKept(page, 2);
       await editor.offset("y", 4);
       work = await editor.work();
@@ -50,7 +50,7 @@ for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["went o
   });
 }
 
-/** Edits the face and follows a link to somewhere else. */
+/** Edits the face and navigates away. */
 async function leave(editor) {
   const { page } = editor;
   await editor.untilLoaded();
@@ -62,7 +62,8 @@ async function leave(editor) {
 }
 
 /**
- * Goes back; returns whether the browser had kept the page. Chromium 148 drops it once another tab asks for any lock.
+ * Goes back; returns whether the page came from the back/forward cache. Chromium 148 evicts it when another tab
+ * requests a lock.
  *
  * @param {import("@playwright/test").Page} page
  */

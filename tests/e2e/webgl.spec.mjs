@@ -15,7 +15,7 @@ test.use({ visit: { expert: true } });
 const FOR_WEBGPU = "rosto-studio-web_bg.wasm";
 const FOR_WEBGL2 = "rosto-studio-webgl_bg.wasm";
 
-test("without a WebGPU adapter the portrait is meshed, edited and downloaded by WebGL2", { tag: "@webgl" }, async ({ visitor, page }) => {
+test("without a WebGPU adapter, the page works with WebGL2", { tag: "@webgl" }, async ({ visitor, page }) => {
   assert.equal(await page.evaluate(async () => (await navigator.gpu?.requestAdapter()) ?? null), null);
   await visitor.untilLoaded();
   await page.click("#welcome [data-action='sample']");
@@ -41,7 +41,7 @@ test("without a WebGPU adapter the portrait is meshed, edited and downloaded by 
   assert.equal(picture.data[3], 0, "the picture is not transparent around the face");
 });
 
-test("without navigator.gpu only WebGL2's module is downloaded, and makes the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
+test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
   const visitor = await open({ scripts: ["delete Navigator.prototype.gpu"] });
   await visitor.dropSample();
   const asked = visitor.requests.map((url) => new URL(url).pathname.split("/").at(-1));
@@ -53,7 +53,7 @@ test("without navigator.gpu only WebGL2's module is downloaded, and makes the co
   assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));
 });
 
-test("with WebGPU nothing of the module for WebGL2 is downloaded", async ({ open }) => {
+test("with WebGPU, the WebGL2 module is not downloaded", async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   await visitor.untilLoaded();
   assert.equal(await contextKind(visitor.page), "webgpu");
@@ -62,7 +62,7 @@ test("with WebGPU nothing of the module for WebGL2 is downloaded", async ({ open
   assert.ok(await isStored(visitor.page, FOR_WEBGPU) && !(await isStored(visitor.page, FOR_WEBGL2)));
 });
 
-test("after the first visit the page works in WebGL2 without a network", { tag: "@webgl" }, async ({ open }) => {
+test("after the first visit, the page works offline with WebGL2", { tag: "@webgl" }, async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -75,7 +75,7 @@ test("after the first visit the page works in WebGL2 without a network", { tag: 
   assert.ok(colourCount(await visitor.view()) > 40);
 });
 
-test("without WebGPU and WebGL2 the page says so, and draws landmarks on the photo", { tag: "@no-gpu" }, async ({ visitor, page }) => {
+test("without WebGPU and WebGL2, a notice appears, and the photo shows the landmarks", { tag: "@no-gpu" }, async ({ visitor, page }) => {
   const { code, text } = await visitor.notice();
   assert.equal(code, "no-webgl");
   assert.match(text, /can’t show 3D/);
@@ -90,7 +90,12 @@ function contextKind(page) {
   return page.locator("#viewport").evaluate((canvas) => ["webgpu", "webgl2"].find((kind) => canvas.getContext(kind)));
 }
 
-/** Whether the service worker has stored a module. @param {import("@playwright/test").Page} page @param {string} file */
+/**
+ * Whether the service worker has stored a module.
+ *
+ * @param {import("@playwright/test").Page} page
+ * @param {string} file
+ */
 function isStored(page, file) {
   return page.evaluate((file) => caches.match(`wasm/${file}`).then(Boolean), file);
 }

@@ -8,14 +8,14 @@ const ROOT = path.resolve(import.meta.dirname, "../..");
 const words = ["en", "pt"].map((language) => readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
 const [en, pt] = (await Promise.all(words)).map((text) => JSON.parse(text));
 
-/** Where codes of errors are written, and what stands around them; not the properties of an error, which are named there, too. */
+/** Patterns of error codes in the sources; property names of an error are excluded. */
 const SOURCES = [
   { folder: "crates", files: /^(studio|vision)-web\/src\/.*error\.rs$/, codes: /"(?!code"|hint")([a-z]+(?:-[a-z]+)*)"/g },
   { folder: "crates/studio-web/src", files: /\.rs$/, codes: /FacadeError::new\(\s*"([a-z-]+)"/g },
   { folder: "web/js", files: /\.js$/, codes: /(?:code: |giveUp\(|asPageError\(error, )"([a-z-]+)"/g },
 ];
 
-test("whatever can go wrong has words of the page's own, in every language", async () => {
+test("each error code has text in each language", async () => {
   const codes = await allCodes();
   for (const code of ["no-selection", "bad-vertex", "too-many-pixels", "camera-lost", "not-loaded"]) assert.ok(codes.has(code), code);
   const wordless = [...codes].filter((code) => !(`error.${code}` in en && `error.${code}.hint` in en));
@@ -25,7 +25,7 @@ test("whatever can go wrong has words of the page's own, in every language", asy
   assert.deepEqual(alike, [], "not translated");
 });
 
-test("a notice never shows what the modules say in English", async ({ open }) => {
+test("notices do not show the modules' English messages", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR" });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -43,7 +43,7 @@ test("a notice never shows what the modules say in English", async ({ open }) =>
   ]);
 });
 
-test("until the words come nothing can be pressed that would not answer", async ({ open }) => {
+test("buttons stay hidden until their text has loaded", async ({ open }) => {
   const { before, deliver } = withHeld("**/words/en.json");
   const visitor = await open({ before });
   const seen = visitor.page.locator("#welcome button:visible");
@@ -53,7 +53,7 @@ test("until the words come nothing can be pressed that would not answer", async 
   assert.equal(await seen.count(), 4);
 });
 
-test("of two languages chosen while the words of one are on their way, the last is spoken", async ({ open }) => {
+test("of two languages chosen while one is loading, the last one is shown", async ({ open }) => {
   const { before, deliver } = withHeld("**/words/pt.json");
   const visitor = await open({ before });
   const { page } = visitor;
@@ -69,7 +69,7 @@ test("of two languages chosen while the words of one are on their way, the last 
   await page.waitForSelector("html[lang='pt-BR']", { state: "attached" });
 });
 
-test("a browser that keeps nothing is promised nothing", async ({ visitor }) => {
+test("hints do not promise saved work if the browser does not save it", async ({ visitor }) => {
   await visitor.untilLoaded();
   const hints = await visitor.page.evaluate(async () => {
     const { setSavesWork, showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
@@ -89,7 +89,7 @@ test("a browser that keeps nothing is promised nothing", async ({ visitor }) => 
   for (const key of promises) assert.ok(`${key}.unkept` in en, key);
 });
 
-/** Every code that the modules, the worker or the page itself can throw. */
+/** Error codes that the modules, the worker and the page can throw. */
 async function allCodes() {
   /** @type {Set<string>} */
   const found = new Set();

@@ -3,7 +3,7 @@ import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-test("the work survives a reload, is offered again, and goes to another browser in a project file", async ({ open }) => {
+test("work survives a reload, is offered again, and can move to another browser as a project", async ({ open }) => {
   const first = await open();
   await first.dropSample();
   await first.move("nose tip", "z", 9);
@@ -25,7 +25,7 @@ test("the work survives a reload, is offered again, and goes to another browser 
   assert.deepEqual(await second.meshJson("mm"), work);
 });
 
-test("history lists the edits, and each can be switched off and on", async ({ editor, page }) => {
+test("the history lists the edits, and each can be switched off and on", async ({ editor, page }) => {
   const start = await editor.meshJson("mm");
   await editor.move("nose tip", "z", 9);
   const nose = await editor.meshJson("mm");
@@ -47,7 +47,7 @@ test("history lists the edits, and each can be switched off and on", async ({ ed
   await expect(items).toHaveCount(2);
 });
 
-test("a key held down shows the face as it was found", { tag: "@eyes" }, async ({ editor, page }) => {
+test("holding B shows the original face", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   await page.focus("#viewport");
   await page.keyboard.press("l");
@@ -60,6 +60,6 @@ test("a key held down shows the face as it was found", { tag: "@eyes" }, async (
   await page.keyboard.up("b");
   const released = await editor.view();
   assert.ok(difference(before, after) > 0.002);
-  assert.ok(difference(after, released) === 0, "letting go did not bring the edit back");
-  assert.ok(difference(before, held) < difference(after, held), "the held key did not show the face as it was found");
+  assert.ok(difference(after, released) === 0, "releasing the key did not restore the edit");
+  assert.ok(difference(before, held) < difference(after, held), "the key did not show the original face");
 });

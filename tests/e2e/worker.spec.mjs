@@ -12,7 +12,7 @@ import { dieBefore, watchWorkers } from "./watches.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
-test("the page draws and answers before the worker's module has arrived", { tag: "@eyes" }, async ({ open }) => {
+test("the page draws and responds before the worker's module has loaded", { tag: "@eyes" }, async ({ open }) => {
   const { before, deliver } = withHeld(WORKER_MODULE);
   const visitor = await open({ before });
   await visitor.page.waitForSelector("body[data-host='open']");
@@ -25,7 +25,7 @@ test("the page draws and answers before the worker's module has arrived", { tag:
   await visitor.untilFace();
 });
 
-test("a worker that dies, by itself or of a photo, is started again, and leaves the work on screen", async ({ visitor, page }) => {
+test("a crashed worker restarts and leaves the work unchanged", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 7);
   const work = await visitor.meshJson("mm");
@@ -45,7 +45,7 @@ test("a worker that dies, by itself or of a photo, is started again, and leaves 
   await visitor.dropSample();
 });
 
-test("a worker that never comes is given up after a minute, and the next photo starts another", { tag: "@rare" }, async ({ open }) => {
+test("a worker that does not load times out after a minute, and the next photo starts another one", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ hasClock: true, before: (context) => context.route(WORKER_MODULE, () => {}) });
   const { page, requests } = visitor;
   await page.waitForSelector("body[data-host='open']");
@@ -53,7 +53,7 @@ test("a worker that never comes is given up after a minute, and the next photo s
   await expect.poll(() => requests.join()).toContain(path.basename(WORKER_MODULE));
   await visitor.frames(5);
   await page.clock.fastForward(50_000);
-  assert.ok(await page.isVisible("#progress"), "it was given up too soon");
+  assert.ok(await page.isVisible("#progress"), "the timeout came too early");
   await page.clock.fastForward(15_000);
   const { code, text } = await visitor.notice();
   assert.equal(code, "not-loaded");
@@ -65,7 +65,7 @@ test("a worker that never comes is given up after a minute, and the next photo s
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a worker on a slow connection is waited for", async ({ open, server }) => {
+test("a worker on a slow connection does not time out", async ({ open, server }) => {
   const module = `wasm/${path.basename(WORKER_MODULE)}`;
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 100);
@@ -84,7 +84,7 @@ test("a worker on a slow connection is waited for", async ({ open, server }) => 
   let at = 0;
   for (let wait = 0; wait < 5; wait += 1) {
     const before = await reports();
-    // The worker reports at most once in a second that something arrives.
+    // The worker reports progress at most once per second.
     await expect.poll(() => {
       at += piece_bytes;
       response?.write(bytes.subarray(at - piece_bytes, at));
@@ -97,7 +97,7 @@ test("a worker on a slow connection is waited for", async ({ open, server }) => 
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("the bar shows how much of the whole is done, and never goes back", async ({ open }) => {
+test("the progress bar shows the total progress and does not go back", async ({ open }) => {
   const visitor = await open({ scripts: [watchWorkers] });
   for (let photo = 0; photo < 2; photo += 1) {
     await visitor.page.evaluate("workersProgress.length = 0");
@@ -110,7 +110,11 @@ test("the bar shows how much of the whole is done, and never goes back", async (
   }
 });
 
-/** Drops the sample and waits for what the worker still needs. @param {import("./visitor.mjs").Visitor} visitor */
+/**
+ * Drops the sample and waits until the page waits for the networks.
+ *
+ * @param {import("./visitor.mjs").Visitor} visitor
+ */
 async function untilNetworksLoad(visitor) {
   await visitor.drop(await readFile(SAMPLE), "portrait.png");
   await visitor.page.waitForSelector("#progress-title:has-text('Loading face detection')");
