@@ -1,7 +1,7 @@
 import { init } from "../js/files.js";
 import { download } from "../js/page/download.js";
 import { Replaced } from "../js/photo/vision-client.js";
-import { languageFor, loadWords, speak } from "../js/words/words.js";
+import { languageFor, loadWords, setLanguage } from "../js/words/words.js";
 import { fileName } from "../js/work/file-name.js";
 import { FaceSession } from "./face-session.js";
 import { fetchedFile, pictureIn } from "./photo-source.js";
@@ -265,7 +265,7 @@ export class RostoStudio extends HTMLElement {
   }
 
   #updateLanguage() {
-    this.#opened?.then(() => speak(languageFor(this.#language()))).catch(() => {});
+    this.#opened?.then(() => setLanguage(languageFor(this.#language()))).catch(() => {});
   }
 
   #language() {

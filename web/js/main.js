@@ -46,7 +46,7 @@ import { setUpViewKeys } from "./viewport/shortcuts.js";
 import { isFallback, prepareRestart } from "./viewport/studio-module.js";
 import { WholeTexture } from "./viewport/whole-texture.js";
 import { Host } from "./viewport/host.js";
-import { onLocaleChange, language, languages, loadWords, speak, writeWords } from "./words/words.js";
+import { onLocaleChange, language, languages, loadWords, setLanguage, translatePage } from "./words/words.js";
 import { Autosave } from "./work/autosave.js";
 
 await loadWords(remembered("language") ?? navigator.language);
@@ -148,7 +148,7 @@ function setUpLanguage() {
   choice.replaceChildren(...languages().map(({ id, name }) => new Option(name, id)));
   choice.value = language();
   choice.addEventListener("change", () => {
-    speak(choice.value).then(() => remember("language", language()), () => (choice.value = language()));
+    setLanguage(choice.value).then(() => remember("language", language()), () => (choice.value = language()));
   });
-  onLocaleChange(writeWords);
+  onLocaleChange(translatePage);
 }

@@ -1,4 +1,4 @@
-import { codeOf, hasPicture, stopTracks } from "../photo/camera-stream.js";
+import { cameraErrorCode, hasPicture, stopTracks } from "../photo/camera-stream.js";
 
 /**
  * Size at which frames are processed and shown; the networks get smaller ones.
@@ -68,7 +68,7 @@ export class CameraStream {
       if (this.#isOpen) this.#begin(stream);
       else stopTracks(stream);
     } catch (error) {
-      if (this.#isOpen) this.#listener.lost(codeOf(error), error);
+      if (this.#isOpen) this.#listener.lost(cameraErrorCode(error), error);
     } finally {
       this.#isAsked = false;
     }

@@ -7,7 +7,7 @@ import { LiveBar } from "./live-bar.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../worker/protocol.js").Followed} Followed
+ * @typedef {import("../worker/protocol.js").FollowedFrame} FollowedFrame
  * @typedef {import("../work/work.js").EditState} EditState
  *
  * @typedef {object} Context
@@ -148,7 +148,7 @@ class LivePreview {
   }
 
   /**
-   * @param {Followed} followed
+   * @param {FollowedFrame} followed
    * @param {number} number of the frame
    */
   #receive(followed, number) {
@@ -162,7 +162,7 @@ class LivePreview {
   }
 
   /**
-   * @param {Followed} followed
+   * @param {FollowedFrame} followed
    * @param {number} number
    */
   #show({ frame, landmarks, took_ms, width_px, height_px }, number) {

@@ -1,7 +1,7 @@
 import { byId } from "../page/dom.js";
 import { remember, remembered } from "../page/remember.js";
-import { numberPoints } from "../words/names.js";
-import { tellAll } from "../words/words.js";
+import { setPointNumbersShown } from "../words/names.js";
+import { notifyLocaleChange } from "../words/words.js";
 
 /** Technical display modes. In index.html, `data-expert` marks the other technical controls. */
 const DISPLAYS = ["normals", "response", "distortion"];
@@ -14,8 +14,8 @@ export function setUpExpert() {
   }
   const apply = () => {
     document.documentElement.toggleAttribute("data-expert-on", box.checked);
-    numberPoints(box.checked);
-    tellAll();
+    setPointNumbersShown(box.checked);
+    notifyLocaleChange();
   };
   box.checked = remembered("expert") === "on";
   box.addEventListener("change", () => {

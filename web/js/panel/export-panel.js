@@ -140,7 +140,7 @@ async function makeChecked(host, name, make, validator, line) {
  * @param {string} extension
  */
 function meshName(host, autosave, extension) {
-  const points = host.read((state) => (state.chosen("density") === String(studioModule().usualDensity()) ? undefined : state.vertexCount));
+  const points = host.read((state) => (state.chosen("density") === String(studioModule().defaultDensity()) ? undefined : state.vertexCount));
   return fileName(autosave.face, extension, points);
 }
 

@@ -1,7 +1,7 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
 import { setUpEditKeys } from "../viewport/shortcuts.js";
-import { announceOnce } from "../words/names.js";
+import { takeTargetName } from "../words/names.js";
 import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
 
 /**
@@ -31,7 +31,7 @@ export function setUpHistoryPanel(host) {
   onAction("redo", redo);
   onAction("reset-selection", () => {
     host.act((studio) => studio.resetSelection());
-    announce(t("was-reset.one", { name: host.ask((studio) => announceOnce(studio.selectedTarget)) ?? "" }));
+    announce(t("was-reset.one", { name: host.ask((studio) => takeTargetName(studio.selectedTarget)) ?? "" }));
   });
   onAction("reset", () => {
     host.act((studio) => studio.reset());
@@ -66,7 +66,7 @@ function show({ canUndo, canRedo, canResetSelection, entryCount }, host) {
  * @param {Host} host
  */
 function row({ index, target, amount, unit, enabled, waitsForDensity, impossible }, host) {
-  const name = announceOnce(target) ?? "";
+  const name = takeTargetName(target) ?? "";
   const item = make("li");
   item.toggleAttribute("data-off", !enabled || impossible);
   const checkbox = make("input");

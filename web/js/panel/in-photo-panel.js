@@ -54,7 +54,7 @@ function setUpBrush(host) {
   box.addEventListener("change", () => host.act((studio) => studio.setBrush(box.checked ? size.value : undefined)));
   onAction("brush-undo", () => host.act((studio) => studio.undo()));
   onAction("brush-redo", () => host.act((studio) => studio.redo()));
-  onAction("brush-clear", () => host.act((studio) => studio.keepNothing()));
+  onAction("brush-clear", () => host.act((studio) => studio.clearStrokes()));
   host.onChange(({ brushPx, strokeCount, canRedoStroke }) => {
     box.checked = brushPx !== undefined;
     document.body.toggleAttribute("data-brush", brushPx !== undefined);

@@ -1,6 +1,6 @@
 import { announce } from "../page/announce.js";
 import { byId } from "../page/dom.js";
-import { shownLandmarkName, announceOnce, vertexCalled } from "../words/names.js";
+import { landmarkLabel, takeTargetName, findVertex } from "../words/names.js";
 import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
@@ -88,7 +88,7 @@ export class LandmarkPanel {
 
   /** @param {string} text */
   #find(text) {
-    const vertex = vertexCalled(text, this.#landmarkIds, this.#selectable);
+    const vertex = findVertex(text, this.#landmarkIds, this.#selectable);
     if (vertex === undefined) return this.#handleNotFound(text.trim());
     this.#host.act((studio) => studio.selectAt(vertex));
     this.#search.value = this.#selectionName();
@@ -126,11 +126,11 @@ export class LandmarkPanel {
   }
 
   #selectionName() {
-    return this.#host.ask((studio) => announceOnce(studio.selectedTarget)) ?? "";
+    return this.#host.ask((studio) => takeTargetName(studio.selectedTarget)) ?? "";
   }
 
   #listNames() {
-    const names = new Set(this.#landmarkIds.map((id, number) => shownLandmarkName(id, number)));
+    const names = new Set(this.#landmarkIds.map((id, number) => landmarkLabel(id, number)));
     byId("landmark-names", HTMLDataListElement).replaceChildren(...[...names].map((name) => new Option("", name)));
   }
 

@@ -95,7 +95,7 @@ export class PhotosPanel {
     const photos = face ? photosOf(face) : [];
     this.#missingLine.textContent = (this.#host.ask((studio) => studio.missingTurns()) ?? []).map(missingText).join(" ");
     this.#missingLine.hidden = this.#list.hidden = facts.length < 2;
-    this.#add.disabled = facts.length >= (this.#host.ask((studio) => studio.mostPhotos) ?? 0);
+    this.#add.disabled = facts.length >= (this.#host.ask((studio) => studio.maxPhotos) ?? 0);
     if (photos.length !== facts.length) return;
     const hadFocus = this.#list.contains(document.activeElement);
     if (face !== this.#face) this.#list.replaceChildren(...(photos.length < 2 ? [] : photos.map((photo) => this.#row(photo))));

@@ -107,10 +107,10 @@ export class PrintPanel {
   #errorText() {
     const [least = 0, most = 0] = this.#range_mm;
     const { code } = asPageError(this.#error);
-    const { mostMm = 0 } = /** @type {{ mostMm?: number }} */ (this.#error);
+    const { maxMm = 0 } = /** @type {{ maxMm?: number }} */ (this.#error);
     if (code === "bad-choice") return t("print.range", { least: formatNumber(least, 1), most: formatNumber(most, 0) });
     // Rounded down so that the suggested length works.
-    const works_mm = Math.floor(10 * mostMm) / 10;
+    const works_mm = Math.floor(10 * maxMm) / 10;
     if (works_mm >= least) return t("print.at-most", { most: formatNumber(works_mm, 1) });
     const key = isWord(`error.${code}`) ? code : "other";
     return `${t(/** @type {WordKey} */ (`error.${key}`))}. ${t(/** @type {WordKey} */ (`error.${key}.hint`))}`;

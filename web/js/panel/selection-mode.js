@@ -1,7 +1,7 @@
 import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
 import { afterNextFrame } from "../page/tasks.js";
-import { idName, announceOnce } from "../words/names.js";
+import { idName, takeTargetName } from "../words/names.js";
 import { onLocaleChange, t } from "../words/words.js";
 
 /**
@@ -18,7 +18,7 @@ export function setUpSelectionMode(host) {
   regions.addEventListener("change", () => {
     const { value } = regions;
     host.act((studio) => (value === "" ? studio.select() : studio.selectRegion(value)));
-    if (value !== "") announce(t("landmark.selected", { name: host.ask((studio) => announceOnce(studio.selectedTarget)) ?? "" }));
+    if (value !== "") announce(t("landmark.selected", { name: host.ask((studio) => takeTargetName(studio.selectedTarget)) ?? "" }));
   });
   host.onChange((state) => {
     regions.value = state.selectedRegion ?? "";

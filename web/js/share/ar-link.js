@@ -1,13 +1,13 @@
 import { byId } from "../page/dom.js";
 
 /**
- * A link that shows the face in the room, on devices whose browsers open USDZ files so: Safari on iPhones and iPads. The
- * file is made when it is pressed, and the link is then followed by itself. Safari tells the format by the file's name.
+ * Sets up the link that opens the face in AR Quick Look, in Safari on iPhone and iPad. A click creates the USDZ file and then
+ * clicks the link again. Safari detects the format by the file name.
  *
  * @param {() => Promise<File>} make
- * @param {(error: unknown) => void} complain
+ * @param {(error: unknown) => void} onError
  */
-export function setUpArLink(make, complain) {
+export function setUpArLink(make, onError) {
   const link = byId("ar-link", HTMLAnchorElement);
   link.hidden = !link.relList.supports?.("ar");
   let isReady = false;
@@ -22,6 +22,6 @@ export function setUpArLink(make, complain) {
   link.addEventListener("click", (event) => {
     if (isReady) return;
     event.preventDefault();
-    make().then(follow).catch(complain);
+    make().then(follow).catch(onError);
   });
 }

@@ -13,21 +13,20 @@ import { clipType } from "./recorder.js";
  * @typedef {import("../work/autosave.js").Autosave} Autosave
  */
 
-/** A clip that is not there by then will not come, in ms. */
-const PATIENCE_MS = 60_000;
+const TIMEOUT_MS = 60_000;
 
-/** What would turn the face while it is recorded. */
-const STANDS_STILL = "#viewport, #toolbar, .tabs";
+/** Controls that could rotate the face during the recording. */
+const BLOCKED = "#viewport, #toolbar, .tabs";
 
-/** A clip of the face as it turns: recorded with one press, and dropped with another or with Escape. */
+/** Records a clip of the rotating face. A second press or Escape cancels. */
 export class ClipPanel {
   #button = byId("clip", HTMLButtonElement);
   #progress = byId("clip-progress", HTMLProgressElement);
   #line = byId("clip-line", HTMLParagraphElement);
-  /** What the line says. @type {"clip.unsupported" | "clip.interrupted" | undefined} */
-  #says;
-  /** Ends the recording in progress. @type {AbortController | undefined} */
-  #end;
+  /** Text of the status line. @type {"clip.unsupported" | "clip.interrupted" | undefined} */
+  #message;
+  /** Cancels the recording in progress. @type {AbortController | undefined} */
+  #recording;
   #type = clipType();
   #host;
   #autosave;
@@ -39,79 +38,79 @@ export class ClipPanel {
   constructor(host, autosave) {
     this.#host = host;
     this.#autosave = autosave;
-    if (!this.#type) this.#says = "clip.unsupported";
-    this.#button.addEventListener("click", () => (this.#end ? this.#end.abort("cancelled") : this.#record()));
+    if (!this.#type) this.#message = "clip.unsupported";
+    this.#button.addEventListener("click", () => (this.#recording ? this.#recording.abort("cancelled") : this.#record()));
     addEventListener("keydown", (event) => this.#key(event), { capture: true });
-    document.addEventListener("visibilitychange", () => this.#end?.abort("out of sight"));
-    onLocaleChange(() => this.#write());
+    document.addEventListener("visibilitychange", () => this.#recording?.abort("page hidden"));
+    onLocaleChange(() => this.#render());
   }
 
   async #record() {
-    const end = new AbortController();
-    const timer = setTimeout(() => end.abort("late"), PATIENCE_MS);
-    this.#begin(end);
+    const recording = new AbortController();
+    const timer = setTimeout(() => recording.abort("timeout"), TIMEOUT_MS);
+    this.#setRecording(recording);
     try {
-      const clip = await this.#clip(end.signal);
-      this.#progressTo(undefined);
-      this.#keep(clip);
+      const clip = await this.#clip(recording.signal);
+      this.#setProgress(undefined);
+      this.#save(clip);
     } catch (error) {
-      this.#explain(error);
+      this.#showFailure(error);
     }
     clearTimeout(timer);
-    this.#begin(undefined);
+    this.#setRecording(undefined);
   }
 
   /** @param {AbortSignal} signal */
   async #clip(signal) {
     const { face } = this.#autosave;
     const isSameFace = () => this.#autosave.face === face;
-    const told = (/** @type {number} */ share) => this.#progressTo(share);
-    const clip = await recordClip(this.#host, { type: this.#type ?? "", signal, isSameFace, told });
-    const ending = clip.type === "video/mp4" ? "mp4" : "webm";
-    return new File([clip], fileName(face, ending, "turning"), { type: clip.type });
+    const onProgress = (/** @type {number} */ fraction) => this.#setProgress(fraction);
+    const clip = await recordClip(this.#host, { type: this.#type ?? "", signal, isSameFace, onProgress });
+    const extension = clip.type === "video/mp4" ? "mp4" : "webm";
+    return new File([clip], fileName(face, extension, "turning"), { type: clip.type });
   }
 
   /** @param {File} clip */
-  #keep(clip) {
+  #save(clip) {
     download(clip, clip.name, clip.type);
     toast(t("export.done", { file: clip.name }));
   }
 
-  /** @param {unknown} error that ended it, or the reason why it was ended */
-  #explain(error) {
+  /** @param {unknown} error or abort reason */
+  #showFailure(error) {
     if (error === "cancelled") return toast(t("clip.cancelled"));
     console.warn("the clip was not recorded:", error);
-    this.#says = "clip.interrupted";
+    this.#message = "clip.interrupted";
     if (isTrap(error)) this.#host.fail(error);
   }
 
-  /** @param {AbortController | undefined} end of the recording that begins; none when one is over */
-  #begin(end) {
-    this.#end = end;
-    if (end) this.#says = undefined;
-    for (const element of document.querySelectorAll(STANDS_STILL)) element.toggleAttribute("inert", end !== undefined);
-    this.#progressTo(end && 0);
-    this.#write();
-    if (end) announce(t("clip.recording"));
+  /** @param {AbortController | undefined} recording that starts; undefined when it ends */
+  #setRecording(recording) {
+    this.#recording = recording;
+    if (recording) this.#message = undefined;
+    for (const element of document.querySelectorAll(BLOCKED)) element.toggleAttribute("inert", recording !== undefined);
+    this.#setProgress(recording && 0);
+    this.#render();
+    if (recording) announce(t("clip.recording"));
   }
 
-  /** @param {number | undefined} share recorded */
-  #progressTo(share) {
-    this.#progress.hidden = share === undefined;
-    this.#progress.value = share ?? 0;
+  /** @param {number | undefined} fraction recorded; undefined hides the bar */
+  #setProgress(fraction) {
+    this.#progress.hidden = fraction === undefined;
+    this.#progress.value = fraction ?? 0;
   }
 
-  #write() {
+  #render() {
     this.#button.hidden = !this.#type;
-    this.#button.textContent = t(this.#end ? "clip.cancel" : "clip.record");
-    this.#line.hidden = !this.#says;
-    this.#line.textContent = this.#says ? t(this.#says) : "";
+    this.#button.textContent = t(this.#recording ? "clip.cancel" : "clip.record");
+    this.#line.hidden = !this.#message;
+    this.#line.textContent = this.#message ? t(this.#message) : "";
   }
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    if (event.key !== "Escape" || !this.#end) return;
+    if (event.key !== "Escape" || !this.#recording) return;
     event.stopPropagation();
-    this.#end.abort("cancelled");
+    this.#recording.abort("cancelled");
   }
 }

@@ -6,44 +6,44 @@ import { Swing } from "./swing.js";
 /** @typedef {import("../viewport/host.js").Host} Host */
 
 const SWING_MS = 3400;
-/** Fewer pictures make the swing jerky: a slow machine draws this many before the recording starts. */
-const LEAST_PICTURES = 8;
-/** Share of the progress bar for drawing them. */
-const AHEAD_SHARE = 0.8;
-/** The clip ends on a still face, shown a few times at long intervals: each picture delays a slow encoder. */
+/** Fewer frames make the swing jerky, so a slow machine draws this many before the recording starts. */
+const MIN_FRAMES = 8;
+/** Fraction of the progress bar for drawing them. */
+const PRERENDER_FRACTION = 0.8;
+/** The clip ends on a still face, with few frames at long intervals, as each frame delays a slow encoder. */
 const LENGTH_MS = 4000;
-const LAST_PICTURES = 5;
-const LAST_PICTURE_MS = 150;
-/** Time for the encoder to catch up: what it has not encoded when the recording stops is lost. */
-const BEHIND_MS = 1500;
-/** A square fits on every screen; codecs want even sides. */
+const STILL_FRAMES = 5;
+const STILL_FRAME_MS = 150;
+/** Time for the encoder to catch up: frames not encoded when the recording stops are lost. */
+const ENCODER_LAG_MS = 1500;
+/** Codecs need even sides. */
 const SIDE_PX = 720;
 
 /**
- * @typedef {object} Wishes
+ * @typedef {object} ClipOptions
  * @property {string} type MIME
- * @property {AbortSignal} signal ends it; its reason is thrown
+ * @property {AbortSignal} signal cancels the recording; its reason is thrown
  * @property {() => boolean} isSameFace
- * @property {(share: number) => void} told how much is recorded, 0 to 1
+ * @property {(fraction: number) => void} onProgress 0 to 1
  */
 
 /**
- * Records the face as it swings once from side to side. Each frame is a picture of its own, drawn without the tools that
- * the screen goes on showing. In the end the view is as it was, however that comes about.
+ * Records the face swinging once from side to side. Each frame is drawn off screen, without the editing tools. Restores the
+ * view at the end, also after an error.
  *
  * @param {Host} host
- * @param {Wishes} wishes
+ * @param {ClipOptions} options
  */
-export async function recordClip(host, wishes) {
-  const recorder = new Recorder(wishes.type, SIDE_PX);
+export async function recordClip(host, options) {
+  const recorder = new Recorder(options.type, SIDE_PX);
   const swing = new Swing(host);
-  const stopped = whenAborted(wishes.signal);
+  const aborted = whenAborted(options.signal);
   try {
-    await Promise.race([stopped, film(host, swing, recorder, wishes)]);
-    return await Promise.race([stopped, recorder.finish()]);
+    await Promise.race([aborted, record(host, swing, recorder, options)]);
+    return await Promise.race([aborted, recorder.finish()]);
   } finally {
     recorder.stop();
-    swing.end(wishes.isSameFace());
+    swing.end(options.isSameFace());
   }
 }
 
@@ -51,71 +51,71 @@ export async function recordClip(host, wishes) {
  * @param {Host} host
  * @param {Swing} swing
  * @param {Recorder} recorder
- * @param {Wishes} wishes
+ * @param {ClipOptions} options
  */
-async function film(host, swing, recorder, { signal, isSameFace, told }) {
+async function record(host, swing, recorder, { signal, isSameFace, onProgress }) {
   const { instance } = host;
-  // A studio that was started again shows the face from the front, and is another one.
+  // A restarted studio has reset the view.
   const check = () => {
     signal.throwIfAborted();
-    if (host.instance !== instance || !isSameFace()) throw new Error("another face has come");
+    if (host.instance !== instance || !isSameFace()) throw new Error("the face changed during the recording");
   };
-  const draw = async (/** @type {number} */ share) => {
-    swing.go(share);
+  const draw = async (/** @type {number} */ phase) => {
+    swing.setPhase(phase);
     await afterNextFrame();
     check();
     const picture = imageDataOf(await host.picture((studio) => studio.snapshot(SIDE_PX, SIDE_PX, false)));
     check();
     return picture;
   };
-  // What draws a picture may have to be made first.
+  // Warm-up: the first draw may create GPU resources.
   await draw(0);
-  // Of the face as it was, from which the swing goes out and to which it comes back.
-  const asked_ms = performance.now();
+  // The start and end of the swing.
+  const still_ms = performance.now();
   const still = await draw(0);
-  let drawing_ms = performance.now() - asked_ms;
-  const ahead = drawing_ms > SWING_MS / LEAST_PICTURES ? await drawAhead(draw, told) : [];
-  const before = ahead.length > 0 ? AHEAD_SHARE : 0;
+  let drawing_ms = performance.now() - still_ms;
+  const prerendered = drawing_ms > SWING_MS / MIN_FRAMES ? await prerender(draw, onProgress) : [];
+  const done = prerendered.length > 0 ? PRERENDER_FRACTION : 0;
   const start_ms = performance.now();
-  const past_ms = () => performance.now() - start_ms;
+  const elapsed_ms = () => performance.now() - start_ms;
   const show = (/** @type {ImageData} */ picture) => {
     recorder.show(picture);
-    told(before + (1 - before) * (past_ms() / LENGTH_MS));
+    onProgress(done + (1 - done) * (elapsed_ms() / LENGTH_MS));
   };
   show(still);
-  for (const [place, picture] of ahead.entries()) {
-    await wait(((place + 1) * SWING_MS) / LEAST_PICTURES - past_ms());
+  for (const [index, picture] of prerendered.entries()) {
+    await wait(((index + 1) * SWING_MS) / MIN_FRAMES - elapsed_ms());
     check();
     show(picture);
   }
-  // A picture is seen once it is drawn: it shows the face as it will have turned by then, at the earliest.
-  while (past_ms() + drawing_ms < SWING_MS) {
-    const begun_ms = past_ms();
-    show(await draw((begun_ms + drawing_ms) / SWING_MS));
-    drawing_ms = Math.min(drawing_ms, past_ms() - begun_ms);
+  // Draw each frame for the time at which it will be ready, by the shortest drawing time so far.
+  while (elapsed_ms() + drawing_ms < SWING_MS) {
+    const begin_ms = elapsed_ms();
+    show(await draw((begin_ms + drawing_ms) / SWING_MS));
+    drawing_ms = Math.min(drawing_ms, elapsed_ms() - begin_ms);
   }
-  swing.go(1);
-  for (let shown = 0; past_ms() < LENGTH_MS || shown < LAST_PICTURES; shown += 1) {
+  swing.setPhase(1);
+  for (let shown = 0; elapsed_ms() < LENGTH_MS || shown < STILL_FRAMES; shown += 1) {
     show(still);
-    await wait(LAST_PICTURE_MS);
+    await wait(STILL_FRAME_MS);
     check();
   }
-  await wait(BEHIND_MS);
+  await wait(ENCODER_LAG_MS);
 }
 
 /**
- * Draws the swing before it is recorded.
+ * Draws the frames of the swing before the recording starts.
  *
- * @param {(share: number) => Promise<ImageData>} draw
- * @param {(share: number) => void} told
+ * @param {(phase: number) => Promise<ImageData>} draw
+ * @param {(fraction: number) => void} onProgress
  */
-async function drawAhead(draw, told) {
-  const pictures = [];
-  for (let turn = 1; turn < LEAST_PICTURES; turn += 1) {
-    pictures.push(await draw(turn / LEAST_PICTURES));
-    told((AHEAD_SHARE * turn) / LEAST_PICTURES);
+async function prerender(draw, onProgress) {
+  const frames = [];
+  for (let index = 1; index < MIN_FRAMES; index += 1) {
+    frames.push(await draw(index / MIN_FRAMES));
+    onProgress((PRERENDER_FRACTION * index) / MIN_FRAMES);
   }
-  return pictures;
+  return frames;
 }
 
 /** @param {number} duration_ms */

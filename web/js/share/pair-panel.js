@@ -9,38 +9,37 @@ import { sideBySide } from "./side-by-side.js";
 /**
  * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../work/autosave.js").Autosave} Autosave
- * @typedef {import("./side-by-side.js").Look} Look
- * @typedef {() => Promise<{ before: Look, after: Look }>} Looks where the two pictures come from
+ * @typedef {import("./side-by-side.js").Picture} Picture
  */
 
 const TYPE = "image/png";
 
 /**
- * The face before and after as one picture: to be downloaded and, where the browser can, handed on.
+ * Sets up the buttons that download or share the face before and after as one picture.
  *
  * @param {Host} host
  * @param {Autosave} autosave
- * @param {Looks} looks
+ * @param {() => Promise<{ before: Picture, after: Picture }>} draw
  */
-export function setUpPairPanel(host, autosave, looks) {
+export function setUpPairPanel(host, autosave, draw) {
   const make = async () => {
     const name = fileName(autosave.face, "png", "before-after");
-    const { before, after } = await looks();
+    const { before, after } = await draw();
     return new File([await sideBySide(before, after, { before: t("before"), after: t("after") })], name, { type: TYPE });
   };
-  const complain = (/** @type {unknown} */ error) => host.fail(error);
-  onAction("download-pair", () => make().then(keep).catch(complain));
+  const onError = (/** @type {unknown} */ error) => host.fail(error);
+  onAction("download-pair", () => make().then(save).catch(onError));
   byId("share-pair", HTMLButtonElement).hidden = !canSend(TYPE);
-  onAction("share-pair", () => make().then(handOn).catch(complain));
+  onAction("share-pair", () => make().then(share).catch(onError));
 }
 
 /** @param {File} file */
-async function handOn(file) {
-  if (!(await send(file))) keep(file);
+async function share(file) {
+  if (!(await send(file))) save(file);
 }
 
 /** @param {File} file */
-function keep(file) {
+function save(file) {
   download(file, file.name, file.type);
   toast(t("export.done", { file: file.name }));
 }

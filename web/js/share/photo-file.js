@@ -13,10 +13,10 @@ import { pngOf } from "../work/pixels.js";
  */
 
 /** @type {Record<PhotoFormat, string>} */
-const ENDINGS = { png: "png", jpeg: "jpg" };
+const EXTENSIONS = { png: "png", jpeg: "jpg" };
 
 /**
- * The photo with the edits in it, as a file of its full size. The worker draws it: the page's own thread goes on.
+ * Sets up the download of the edited photo at full size. The worker draws it, to keep the main thread responsive.
  *
  * @param {Host} host
  * @param {{ face: OpenedFace | undefined }} autosave
@@ -25,7 +25,7 @@ const ENDINGS = { png: "png", jpeg: "jpg" };
 export function setUpPhotoFile(host, autosave, vision) {
   const help = byId("export-photo-help", HTMLParagraphElement);
   let isWriting = false;
-  const explain = () => {
+  const updateHelp = () => {
     const { face } = autosave;
     if (isWriting) help.textContent = t("export.photo.wait");
     else if (face && !face.photo) help.textContent = t("export.photo.small", { width: face.pictureWidth_px, height: face.pictureHeight_px });
@@ -35,25 +35,25 @@ export function setUpPhotoFile(host, autosave, vision) {
     const { face } = autosave;
     if (!face || isWriting) return;
     isWriting = true;
-    explain();
+    updateHelp();
     try {
-      const name = fileName(face, ENDINGS[format], "edited");
+      const name = fileName(face, EXTENSIONS[format], "edited");
       download(await editedPhoto(host, face, vision, format), name, `image/${format}`);
       toast(t("export.saved", { name }));
     } catch (error) {
       showError(error);
     } finally {
       isWriting = false;
-      explain();
+      updateHelp();
     }
   };
   for (const format of /** @type {const} */ (["png", "jpeg"])) onAction(`download-photo-${format}`, () => save(format));
-  host.onChange(explain);
-  onLocaleChange(explain);
+  host.onChange(updateHelp);
+  onLocaleChange(updateHelp);
 }
 
 /**
- * The file as it was opened, if it is still there: one on the visitor's disk may be gone by now.
+ * Returns the file if it is still readable: the user may have deleted it meanwhile.
  *
  * @param {Blob | undefined} file
  */

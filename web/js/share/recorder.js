@@ -1,18 +1,18 @@
-/** The best first; Safari offers the last alone. */
+/** In order of preference; Safari supports only the last. */
 const TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
 
 const FRAMES_PER_S = 30;
 const BITS_PER_S = 6_000_000;
 
-/** The kind of clip that this browser records; none where it records no canvas. */
+/** MIME type of the clips that this browser records; undefined if it cannot record a canvas. */
 export function clipType() {
   const hasAll = typeof MediaRecorder === "function" && "captureStream" in HTMLCanvasElement.prototype;
   return hasAll ? TYPES.find((type) => MediaRecorder.isTypeSupported(type)) : undefined;
 }
 
-/** Makes a clip of pictures as they come. */
+/** Records pictures as a clip, in real time. */
 export class Recorder {
-  #asked;
+  #type;
   #context;
   #recorder;
   /** @type {Blob[]} */
@@ -24,7 +24,7 @@ export class Recorder {
    * @param {number} side_px
    */
   constructor(type, side_px) {
-    this.#asked = type;
+    this.#type = type;
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [side_px, side_px];
     this.#context = canvas.getContext("2d", { alpha: false });
@@ -34,7 +34,7 @@ export class Recorder {
       this.#recorder.addEventListener("stop", () => resolve());
       this.#recorder.addEventListener("error", reject);
     });
-    // It may fail before anybody waits for it.
+    // Avoids an unhandled rejection if recording fails before finish() is called.
     this.#done.catch(() => {});
   }
 
@@ -44,15 +44,15 @@ export class Recorder {
     if (this.#recorder.state === "inactive") this.#recorder.start();
   }
 
-  /** The clip, of the type that the browser has made of it. */
+  /** Ends the recording and returns the clip, with the MIME type that the browser chose. */
   async finish() {
     this.stop();
     await this.#done;
-    const [type = ""] = (this.#recorder.mimeType || this.#asked).split(";");
+    const [type = ""] = (this.#recorder.mimeType || this.#type).split(";");
     return new Blob(this.#parts, { type });
   }
 
-  /** Lets go of the canvas; what was recorded may still be asked for. */
+  /** Stops capturing the canvas; finish() can still be called. */
   stop() {
     if (this.#recorder.state !== "inactive") this.#recorder.stop();
     for (const track of this.#recorder.stream.getTracks()) track.stop();

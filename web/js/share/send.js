@@ -1,5 +1,5 @@
 /**
- * Whether this browser hands such files on to other programs. Some go by the name.
+ * Whether this browser can share files of a type. Some browsers check the name.
  *
  * @param {string} type MIME
  * @param {string} [name]
@@ -9,8 +9,7 @@ export function canSend(type, name = "file") {
 }
 
 /**
- * Offers a file to the visitor's other programs. False where the browser takes the press for too long ago: the file is then
- * to be had in another way.
+ * Opens the share sheet. Resolves to false if the user activation has expired, so that the caller can offer a download.
  *
  * @param {File} file
  */
@@ -20,7 +19,7 @@ export async function send(file) {
     return true;
   } catch (error) {
     const { name } = /** @type {DOMException} */ (error);
-    // Whoever closes the list of programs has changed their mind.
+    // The user closed the share sheet.
     if (name === "AbortError") return true;
     if (name === "NotAllowedError") return false;
     throw error;

@@ -1,19 +1,19 @@
-/** @typedef {ImageBitmap | HTMLCanvasElement} Look a picture of the face */
+/** @typedef {ImageBitmap | HTMLCanvasElement} Picture */
 /** @typedef {{ before: string, after: string }} Captions */
 
-/** Between the two, as a share of a picture's height. */
+/** Gap between the pictures, relative to their height. */
 const GAP = 0.008;
-/** Of the captions' letters; the rest of a caption goes by it. */
-const LETTER = 0.022;
+/** Font size of the captions, relative to the pictures' height. */
+const FONT_SIZE = 0.022;
 
-/** On whatever lies below them, also where that is transparent and the page that shows it is white. */
-const LABEL_COLOURS = { ground: "rgb(0 0 0 / .62)", letters: "#fff" };
+/** Readable on any picture, also on a transparent one shown on a white page. */
+const CAPTION_COLOURS = { background: "rgb(0 0 0 / .62)", text: "#fff" };
 
 /**
- * Two pictures of one size beside each other as a PNG, each with its caption. The gap between them is transparent.
+ * Combines two pictures of the same size into one PNG, with captions and a transparent gap.
  *
- * @param {Look} before
- * @param {Look} after
+ * @param {Picture} before
+ * @param {Picture} after
  * @param {Captions} captions
  * @returns {Promise<Blob>}
  */
@@ -25,30 +25,30 @@ export function sideBySide(before, after, captions) {
   if (!context) throw new Error("no 2D canvas");
   context.drawImage(before, 0, 0);
   context.drawImage(after, left_px, 0, width, height);
-  label(context, captions.before, width / 2, height);
-  label(context, captions.after, left_px + width / 2, height);
+  drawCaption(context, captions.before, width / 2, height);
+  drawCaption(context, captions.after, left_px + width / 2, height);
   return canvas.convertToBlob({ type: "image/png" });
 }
 
 /**
- * Writes a caption at the lower edge.
+ * Draws a caption at the lower edge.
  *
  * @param {OffscreenCanvasRenderingContext2D} context
- * @param {string} words
- * @param {number} middle_px
+ * @param {string} text
+ * @param {number} centre_px
  * @param {number} height_px of the picture
  */
-function label(context, words, middle_px, height_px) {
-  const letter_px = Math.max(11, LETTER * height_px);
-  context.font = `${letter_px}px system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
-  const [width, height] = [context.measureText(words).width + 1.6 * letter_px, 1.8 * letter_px];
-  const top_px = height_px - 2.8 * letter_px;
-  context.fillStyle = LABEL_COLOURS.ground;
+function drawCaption(context, text, centre_px, height_px) {
+  const font_px = Math.max(11, FONT_SIZE * height_px);
+  context.font = `${font_px}px system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
+  const [width, height] = [context.measureText(text).width + 1.6 * font_px, 1.8 * font_px];
+  const top_px = height_px - 2.8 * font_px;
+  context.fillStyle = CAPTION_COLOURS.background;
   context.beginPath();
-  context.roundRect(middle_px - width / 2, top_px, width, height, height / 2);
+  context.roundRect(centre_px - width / 2, top_px, width, height, height / 2);
   context.fill();
-  context.fillStyle = LABEL_COLOURS.letters;
+  context.fillStyle = CAPTION_COLOURS.text;
   context.textAlign = "center";
-  // Half of a capital's height below the middle.
-  context.fillText(words, middle_px, top_px + height / 2 + 0.36 * letter_px);
+  // The baseline is half a capital's height below the centre.
+  context.fillText(text, centre_px, top_px + height / 2 + 0.36 * font_px);
 }

@@ -1,15 +1,15 @@
 /** @typedef {import("../viewport/host.js").Host} Host */
 
-/** To each side: far enough for a profile's line, and the hollow behind the face is not seen. */
-const SWING = (35 * Math.PI) / 180;
+/** Amplitude: far enough to show the profile, without exposing the open back of the face. */
+const AMPLITUDE = (35 * Math.PI) / 180;
 
-/** Turns the face to one side, to the other and back to where it was, as smoothly as a pendulum. */
+/** Rotates the view to one side, to the other and back, as a sine. */
 export class Swing {
   #host;
   #instance;
-  /** From where it was at first, in radians. */
-  #turned = 0;
-  /** Whether it turned by itself before. */
+  /** Current angle relative to the start, in radians. */
+  #angle = 0;
+  /** Whether auto-rotate was on before. */
   #turntable;
 
   /** @param {Host} host */
@@ -20,23 +20,23 @@ export class Swing {
     if (this.#turntable) host.act((studio) => studio.setTurntable(false));
   }
 
-  /** @param {number} share of the way there and back, 0 to 1 */
-  go(share) {
-    this.#turnTo(-SWING * Math.sin(2 * Math.PI * share));
+  /** @param {number} phase of the swing, 0 to 1 */
+  setPhase(phase) {
+    this.#rotateTo(-AMPLITUDE * Math.sin(2 * Math.PI * phase));
   }
 
-  /** @param {boolean} turnsBack not where another face has come, which is seen from the front */
-  end(turnsBack) {
+  /** @param {boolean} restoresView false after another face was opened, which resets the view */
+  end(restoresView) {
     if (this.#host.instance !== this.#instance) return;
-    if (turnsBack) this.#turnTo(0);
+    if (restoresView) this.#rotateTo(0);
     if (this.#turntable) this.#host.act((studio) => studio.setTurntable(true));
   }
 
-  /** @param {number} radians */
-  #turnTo(radians) {
-    // Half a turn is a drag over the canvas' height, however high it is by now.
-    const drag_px = ((radians - this.#turned) * this.#host.canvas.height) / Math.PI;
-    this.#turned = radians;
+  /** @param {number} angle radians */
+  #rotateTo(angle) {
+    // A drag over the canvas' current height rotates by 180°.
+    const drag_px = ((angle - this.#angle) * this.#host.canvas.height) / Math.PI;
+    this.#angle = angle;
     this.#host.act((studio) => studio.orbit(drag_px, 0));
   }
 }

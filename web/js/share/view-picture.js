@@ -2,37 +2,37 @@ import { pngOf } from "../work/pixels.js";
 
 const TYPE = "image/png";
 
-/** So many pixels of the picture for each of the screen's, along a side. */
-const SCREENS = 2;
+/** Resolution relative to the canvas. */
+const SCALE = 2;
 
 /**
- * The view as it is, larger than on the screen, as PNG.
+ * The current view as PNG, at twice the resolution of the canvas.
  *
  * @param {import("../viewport/host.js").Host} host
- * @param {boolean} isTransparent where there is no face
+ * @param {boolean} isTransparent transparent background
  */
 export async function viewPicture(host, isTransparent) {
   const { width, height } = host.canvas;
-  return pngOf(await host.picture((studio) => studio.snapshot(SCREENS * width, SCREENS * height, isTransparent)));
+  return pngOf(await host.picture((studio) => studio.snapshot(SCALE * width, SCALE * height, isTransparent)));
 }
 
-/** Whether this browser copies pictures. */
+/** Whether this browser can copy pictures to the clipboard. */
 export function canCopyPictures() {
   if (typeof ClipboardItem !== "function" || !navigator.clipboard?.write) return false;
   return ClipboardItem.supports?.(TYPE) ?? true;
 }
 
 /**
- * Puts a picture on the clipboard. It may be still on its way: Safari wants to be asked while the button is pressed.
+ * Copies a picture to the clipboard. Takes a promise, because Safari requires the call during the click.
  *
- * @param {Promise<Blob>} coming
+ * @param {Promise<Blob>} picture
  */
-export async function copyPicture(coming) {
+export async function copyPicture(picture) {
   try {
-    await navigator.clipboard.write([new ClipboardItem({ [TYPE]: coming })]);
+    await navigator.clipboard.write([new ClipboardItem({ [TYPE]: picture })]);
   } catch (error) {
-    // What went wrong with the picture itself is told as such.
-    await coming;
+    // Rethrows the picture's own error, if there is one.
+    await picture;
     throw { code: "not-copied", message: String(error), hint: "" };
   }
 }

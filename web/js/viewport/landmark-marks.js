@@ -1,4 +1,4 @@
-import { announceOnce } from "../words/names.js";
+import { takeTargetName } from "../words/names.js";
 import { t, formatNumber } from "../words/words.js";
 import { Gestures } from "./gestures.js";
 import { placeTag } from "./tag-place.js";
@@ -134,7 +134,7 @@ export class LandmarkMarks {
   #write() {
     this.#options.overlay?.mark(this.#selected, this.#hovered);
     const named = this.#hovered ?? this.#selected;
-    const name = named === undefined ? undefined : this.host.ask((studio) => announceOnce(studio.targetAt(named)));
+    const name = named === undefined ? undefined : this.host.ask((studio) => takeTargetName(studio.targetAt(named)));
     this.#tag.hidden = name === undefined;
     if (name === undefined) return;
     this.#tag.value = this.#tagText(name);

@@ -2,14 +2,14 @@ import { bestMatch } from "./search.js";
 import { isWord, t, formatNumber } from "./words.js";
 
 /**
- * What things are called, by their ids: the studio tells which there are, the words what people call them.
+ * Display names: the studio provides ids, and the words files their names.
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").StudioTarget} StudioTarget
  * @typedef {Pick<StudioTarget, "kind" | "id" | "number" | "part">} Target
  */
 
 /**
- * The name of one thing of a kind; one that nobody has named yet goes by its id.
+ * The name for an id; falls back to the id itself.
  *
  * @param {string} kind such as "region"
  * @param {string} id such as "left-brow"
@@ -21,16 +21,16 @@ export function idName(kind, id) {
   return kind === "slider" ? plain.charAt(0).toUpperCase() + plain.slice(1) : plain;
 }
 
-/** Whether the names of points carry their numbers; only experts see them. */
-let areNumbered = false;
+/** Whether labels include the numbers of points, for experts. */
+let showNumbers = false;
 
-/** @param {boolean} shown whether the names of points carry their numbers from now on */
-export function numberPoints(shown) {
-  areNumbered = shown;
+/** @param {boolean} shown */
+export function setPointNumbersShown(shown) {
+  showNumbers = shown;
 }
 
 /**
- * A landmark's name: anatomical, or the part of the face that it lies in.
+ * A landmark's anatomical name, or the name of its part of the face.
  *
  * @param {string} id such as "left-mouth-corner" or "left-cheek-425"
  */
@@ -50,26 +50,26 @@ export function numberedLandmarkName(id, number) {
 }
 
 /**
- * A landmark's name as it is displayed: with its number for experts.
+ * A landmark's label, with its number for experts.
  *
  * @param {string} id
  * @param {number} number
  */
-export function shownLandmarkName(id, number) {
-  return areNumbered ? numberedLandmarkName(id, number) : landmarkName(id);
+export function landmarkLabel(id, number) {
+  return showNumbers ? numberedLandmarkName(id, number) : landmarkName(id);
 }
 
 /**
- * What an edit works on.
+ * The name of an edit's target.
  *
  * @param {Target} target
  */
 export function targetName({ kind, id, number = 0, part }) {
   switch (kind) {
     case "landmark":
-      return shownLandmarkName(id, number);
+      return landmarkLabel(id, number);
     case "point": {
-      const name = areNumbered ? t("target.point", { n: formatNumber(number, 0) }) : t("target.point.plain");
+      const name = showNumbers ? t("target.point", { n: formatNumber(number, 0) }) : t("target.point.plain");
       return part === undefined ? name : `${name} ${idName("near", part)}`;
     }
     case "slider":
@@ -84,11 +84,11 @@ export function targetName({ kind, id, number = 0, part }) {
 }
 
 /**
- * Says it and frees it; nothing of nothing.
+ * Returns the target's name, and frees the target.
  *
  * @param {StudioTarget | undefined} target
  */
-export function announceOnce(target) {
+export function takeTargetName(target) {
   if (!target) return undefined;
   const { kind, id, number, part } = target;
   target.free();
@@ -96,15 +96,14 @@ export function announceOnce(target) {
 }
 
 /**
- * The vertex that is meant by a number, or the landmark whose name fits best; undefined where there is none that could be
- * selected.
+ * The vertex with a number, or the landmark whose name matches best; undefined without a match.
  *
- * @param {string} text
+ * @param {string} query
  * @param {string[]} landmarkIds
- * @param {number} selectable how many vertices can be selected, from 0
+ * @param {number} selectableCount the vertices below this number can be selected
  */
-export function vertexCalled(text, landmarkIds, selectable) {
-  const wanted = text.trim();
-  if (/^\d+$/.test(wanted)) return Number(wanted) < selectable ? Number(wanted) : undefined;
-  return bestMatch(wanted, landmarkIds.map((id, number) => numberedLandmarkName(id, number)));
+export function findVertex(query, landmarkIds, selectableCount) {
+  const text = query.trim();
+  if (/^\d+$/.test(text)) return Number(text) < selectableCount ? Number(text) : undefined;
+  return bestMatch(text, landmarkIds.map((id, number) => numberedLandmarkName(id, number)));
 }

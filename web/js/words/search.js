@@ -1,55 +1,55 @@
 /**
- * How well a name answers what was typed, best first; names that do not answer it at all have no rank.
+ * Match criteria, best first.
  *
- * @typedef {(name: string, wanted: string) => boolean} Rank
+ * @typedef {(name: string, query: string) => boolean} Rank
  * @type {Rank[]}
  */
 const RANKS = [
-  (name, wanted) => name === wanted,
-  (name, wanted) => name.startsWith(wanted) && /^ ?\d*$/.test(name.slice(wanted.length)),
-  (name, wanted) => name.startsWith(`${wanted} `),
-  (name, wanted) => name.startsWith(wanted),
-  (name, wanted) => hasWords(name, wanted),
-  (name, wanted) => name.includes(wanted),
+  (name, query) => name === query,
+  (name, query) => name.startsWith(query) && /^ ?\d*$/.test(name.slice(query.length)),
+  (name, query) => name.startsWith(`${query} `),
+  (name, query) => name.startsWith(query),
+  (name, query) => matchesWords(name, query),
+  (name, query) => name.includes(query),
 ];
 
 /**
- * The place of the name that is meant most likely: the whole name, the name but for its number, one that begins with what
- * was typed, one with words that begin so, one that has it anywhere. Among equals it is the shortest. Case, accents and
- * punctuation do not count. Undefined where no name answers.
+ * Index of the best match: the full name, the name without its number, leading words, a prefix, prefixes of words, or any
+ * substring. Among equals, the shortest name wins. Ignores case, accents and punctuation.
  *
- * @param {string} text as it was typed
+ * @param {string} text
  * @param {string[]} names
+ * @returns {number | undefined} undefined without a match
  */
 export function bestMatch(text, names) {
-  const wanted = plain(text);
-  if (wanted === "") return undefined;
-  const plainNames = names.map(plain);
-  for (const answers of RANKS) {
-    const places = [...plainNames.keys()].filter((place) => answers(plainNames[place] ?? "", wanted));
-    const [best] = places.sort((one, other) => (plainNames[one]?.length ?? 0) - (plainNames[other]?.length ?? 0));
+  const query = normalise(text);
+  if (query === "") return undefined;
+  const normalised = names.map(normalise);
+  for (const matches of RANKS) {
+    const indices = [...normalised.keys()].filter((index) => matches(normalised[index] ?? "", query));
+    const [best] = indices.sort((a, b) => (normalised[a]?.length ?? 0) - (normalised[b]?.length ?? 0));
     if (best !== undefined) return best;
   }
   return undefined;
 }
 
 /**
- * Whether each word that is wanted begins a word of the name.
+ * Whether each word of the query is a prefix of a word of the name.
  *
  * @param {string} name
- * @param {string} wanted
+ * @param {string} query
  */
-function hasWords(name, wanted) {
+function matchesWords(name, query) {
   const words = name.split(" ");
-  return wanted.split(" ").every((start) => words.some((word) => word.startsWith(start)));
+  return query.split(" ").every((start) => words.some((word) => word.startsWith(start)));
 }
 
 /**
- * Letters without accents, in one case, and one space between words.
+ * Removes accents, case and punctuation.
  *
  * @param {string} text
  */
-function plain(text) {
+function normalise(text) {
   const bare = text.normalize("NFD").replaceAll(/\p{M}/gu, "").toLowerCase();
   return bare.replaceAll(/[^\p{L}\p{N}]+/gu, " ").trim();
 }

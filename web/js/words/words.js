@@ -1,118 +1,119 @@
-import { placeOf } from "../files.js";
+import { fileUrl } from "../files.js";
 
 /** @typedef {keyof typeof import("../../words/en.json")} WordKey */
 /** @typedef {Record<WordKey, string>} Words */
 
 /** @typedef {{ id: string, name: string, tag: string }} Language */
 
-/** Fingers do some things in another way than a mouse. */
+/** Some texts differ for touch input. */
 const TOUCH = matchMedia("(pointer: coarse)");
 
-/** Whose words stand in for those that another language lacks. */
-const FIRST = "en";
+/** Fallback for keys missing in another language. */
+const FALLBACK = "en";
 
 /** @type {Language[]} */
-let known = [];
-let firstWords = /** @type {Words} */ ({});
-/** @type {Map<string, Words>} every word of the page; `{name}` in a text is filled in */
+let available = [];
+let fallbackWords = /** @type {Words} */ ({});
+/** @type {Map<string, Words>} texts by language; `{name}` is a placeholder */
 const WORDS = new Map();
 
-let current = FIRST;
-let newest = current;
+let current = FALLBACK;
+/** Requested language, which may still be loading. */
+let requested = current;
 /** @type {Promise<void> | undefined} */
-let learned;
+let loading;
 
 /** @type {Set<() => void>} */
 const listeners = new Set();
-TOUCH.addEventListener("change", tellAll);
+TOUCH.addEventListener("change", notifyLocaleChange);
 
 /**
- * Fetches the words, once. Nothing may be said before.
+ * Loads the words, once. Call it before {@link t}.
  *
- * @param {string} wanted a language as browsers name it, which is spoken if there are words of it
+ * @param {string} tag preferred language, as a BCP 47 tag
  */
-export function loadWords(wanted) {
-  learned ??= learnFirst(wanted);
-  learned.catch(() => (learned = undefined));
-  return learned;
+export function loadWords(tag) {
+  loading ??= loadInitial(tag);
+  loading.catch(() => (loading = undefined));
+  return loading;
 }
 
-/** @param {string} wanted */
-async function learnFirst(wanted) {
-  [known, firstWords] = await Promise.all([fetched("languages"), fetched(FIRST)]);
-  WORDS.set(FIRST, firstWords);
-  current = languageFor(wanted);
-  newest = current;
-  await learn(current);
-  // The others come while nobody waits for them.
-  for (const { id } of known) learn(id).catch(() => {});
+/** @param {string} tag */
+async function loadInitial(tag) {
+  [available, fallbackWords] = await Promise.all([fetchJson("languages"), fetchJson(FALLBACK)]);
+  WORDS.set(FALLBACK, fallbackWords);
+  current = languageFor(tag);
+  requested = current;
+  await loadLanguage(current);
+  // Preload the other languages in the background.
+  for (const { id } of available) loadLanguage(id).catch(() => {});
 }
 
 /**
- * The page's own language nearest to one that a browser names.
+ * The available language for a BCP 47 tag, or the fallback.
  *
- * @param {string} wanted such as "pt-BR"
+ * @param {string} tag such as "pt-BR"
  */
-export function languageFor(wanted) {
-  return known.find(({ id }) => wanted.startsWith(id))?.id ?? FIRST;
+export function languageFor(tag) {
+  return available.find(({ id }) => tag.startsWith(id))?.id ?? FALLBACK;
 }
 
-/** The language the page speaks now. */
+/** The current language. */
 export function language() {
   return current;
 }
 
 /**
- * The text of `key` in the page's language, with `{name}` replaced from `values`. Where a finger is what points, `key.touch`
- * takes its place if there is one.
+ * The text of `key` in the current language, with `{name}` replaced from `values`. On touch screens, `key.touch` takes
+ * precedence if it exists.
  *
  * @param {WordKey} key
  * @param {Record<string, string | number>} [values]
  */
 export function t(key, values = {}) {
-  const byTouch = `${key}.touch`;
-  const asked = TOUCH.matches && isWord(byTouch) ? byTouch : key;
-  const text = WORDS.get(current)?.[asked] ?? firstWords[asked];
+  const touchKey = `${key}.touch`;
+  const textKey = TOUCH.matches && isWord(touchKey) ? touchKey : key;
+  const text = WORDS.get(current)?.[textKey] ?? fallbackWords[textKey];
   return text.replace(/\{(\w+)\}/g, (whole, name) => String(values[name] ?? whole));
 }
 
 /**
- * Whether the page has words for this key: codes of errors come from elsewhere.
+ * Whether a text exists for a key, for keys built at run time such as those of error codes.
  *
  * @param {string} key
  * @returns {key is WordKey}
  */
 export function isWord(key) {
-  return key in firstWords;
+  return key in fallbackWords;
 }
 
 /**
- * Runs `listener` now and after each change of language.
+ * Calls `listener` now and after each change of language.
  *
  * @param {() => void} listener
- * @param {AbortSignal} [gone] when nobody needs to know any more
+ * @param {AbortSignal} [signal] removes the listener
  */
-export function onLocaleChange(listener, gone) {
+export function onLocaleChange(listener, signal) {
   listeners.add(listener);
-  gone?.addEventListener("abort", () => listeners.delete(listener));
+  signal?.addEventListener("abort", () => listeners.delete(listener));
   listener();
 }
 
 /**
- * Changes the page's language. Of several that are asked for while words are on their way, the last wins.
+ * Changes the current language once its words are loaded. A later call supersedes a pending one.
  *
- * @param {string} wanted
+ * @param {string} id
  */
-export async function speak(wanted) {
-  newest = wanted;
-  await learn(wanted);
-  if (newest !== wanted) return;
-  current = wanted;
-  tellAll();
+export async function setLanguage(id) {
+  requested = id;
+  await loadLanguage(id);
+  if (requested !== id) return;
+  current = id;
+  notifyLocaleChange();
 }
 
-/** Writes the words into every element that asks for them by `data-text` or `data-label`. */
-export function writeWords() {
+/** Translates the elements with `data-text` or `data-label`. */
+export function translatePage() {
   document.documentElement.lang = tag();
   for (const element of document.querySelectorAll("[data-text]")) {
     const key = element.getAttribute("data-text") ?? "";
@@ -127,42 +128,43 @@ export function writeWords() {
 }
 
 /**
- * A number as the page's language writes it.
+ * Formats a number in the current language.
  *
  * @param {number} value
  * @param {number} decimals
  */
 export function formatNumber(value, decimals) {
-  const tidy = Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value;
+  // Avoids "-0".
+  const rounded = Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value;
   return new Intl.NumberFormat(tag(), {
     minimumFractionDigits: decimals,
     maximumFractionDigits: decimals,
-  }).format(tidy);
+  }).format(rounded);
 }
 
-/** The languages that the page speaks, by their own names. */
+/** The available languages, with their native names. */
 export function languages() {
-  return known;
+  return available;
 }
 
-/** The page's language as HTML and the browser know it. */
+/** BCP 47 tag of the current language. */
 function tag() {
-  return known.find(({ id }) => id === current)?.tag ?? current;
+  return available.find(({ id }) => id === current)?.tag ?? current;
 }
 
-/** Runs every listener of {@link onLocaleChange}, as after names have changed. */
-export function tellAll() {
+/** Calls the listeners of {@link onLocaleChange}. */
+export function notifyLocaleChange() {
   for (const listener of listeners) listener();
 }
 
 /** @param {string} id */
-async function learn(id) {
-  if (!WORDS.has(id)) WORDS.set(id, await fetched(id));
+async function loadLanguage(id) {
+  if (!WORDS.has(id)) WORDS.set(id, await fetchJson(id));
 }
 
 /** @param {string} name */
-async function fetched(name) {
-  const response = await fetch(placeOf(`words/${name}.json`, new URL(`../../words/${name}.json`, import.meta.url)));
-  if (!response.ok) throw new Error(`${response.status} for the words of ${name}`);
+async function fetchJson(name) {
+  const response = await fetch(fileUrl(`words/${name}.json`, new URL(`../../words/${name}.json`, import.meta.url)));
+  if (!response.ok) throw new Error(`words/${name}.json: status ${response.status}`);
   return response.json();
 }
