@@ -1,4 +1,4 @@
-// The theme's gradient from the top of the picture to its foot.
+// The theme's gradient from top to bottom.
 struct Corner {
     @builtin(position) clip: vec4f,
 }
@@ -9,7 +9,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     return Corner(vec4f(corner, 1.0, 1.0));
 }
 
-// A fraction of the smallest step of 8 bits, so that the gradient shows no bands.
+// Noise below one 8-bit step, to avoid banding.
 fn dither(place_px: vec2f) -> f32 {
     return (fract(52.9829189 * fract(dot(place_px, vec2f(0.06711056, 0.00583715)))) - 0.5) / 255.0;
 }

@@ -1,4 +1,4 @@
-// A dot on each vertex that can show as one: near the pointer, or on all of them.
+// Dots on vertices: those near the pointer, or all.
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) place_px: vec2f,

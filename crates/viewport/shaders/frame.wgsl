@@ -1,7 +1,7 @@
-// What every shader reads once a frame. The stage's `FrameUniforms` has the same fields in the same order.
+// Uniforms of a frame, with the same fields in the same order as the stage's `FrameUniforms`.
 struct FrameUniforms {
     clip_from_model: mat4x4f,
-    // The eye as a homogeneous point: its w, in 1/m, is 0 for one infinitely far away, of which the direction is left.
+    // The eye as a homogeneous point; w, in 1/m, is 0 for parallel projection.
     eye: vec4f,
     light_direction: vec3f,
     light_strength: f32,
@@ -12,7 +12,7 @@ struct FrameUniforms {
     offset_b_m: vec3f,
     glow: f32,
     right: vec3f,
-    // Where w is 1 in clip space.
+    // Metres per px at w = 1 in clip space.
     m_per_px: f32,
     up: vec3f,
     shading: u32,
@@ -21,7 +21,7 @@ struct FrameUniforms {
     viewport_px: vec2f,
     pointer_px: vec2f,
     ink: vec4f,
-    // Its alpha is the darkness of the shadow. This and the other colours of the theme are sRGB.
+    // The alpha is the shadow's opacity. Colours of the theme are sRGB.
     halo: vec4f,
     accent: vec4f,
     ground_top: vec4f,
@@ -30,11 +30,11 @@ struct FrameUniforms {
     hovered: u32,
     gizmo_vertex: u32,
     gizmo_axis: u32,
-    // Whether the influence radius of the edit and the plane of symmetry are drawn on the surface, 0 or 1.
+    // Whether the influence radius and the plane of symmetry are drawn, 0 or 1.
     rim: f32,
     mirror_plane: f32,
     pixel_ratio: f32,
-    // How much of the picture is seen on its plane, 0..1; its top left corner, and one px to the right and down.
+    // Opacity of the picture, 0..1; its top left corner; offsets of one px to the right and down.
     picture: f32,
     picture_origin_m: vec3f,
     picture_width_px: f32,
@@ -54,7 +54,7 @@ fn linear_from_srgb(encoded: vec3f) -> vec3f {
     return select(light, dark, encoded <= vec3f(0.04045));
 }
 
-// Targets store what the page shows, sRGB, and no driver is trusted to encode it.
+// Targets store sRGB, encoded here rather than by the driver.
 fn srgb_from_linear(linear: vec3f) -> vec3f {
     let amount = clamp(linear, vec3f(0.0), vec3f(1.0));
     let dark = amount * 12.92;
@@ -62,12 +62,12 @@ fn srgb_from_linear(linear: vec3f) -> vec3f {
     return select(light, dark, amount <= vec3f(0.0031308));
 }
 
-// Targets hold colours that are multiplied by their alpha already; blending is as in the page's own compositing.
+// Premultiplied alpha, as in the page's compositing.
 fn premultiplied(colour: vec3f, alpha: f32) -> vec4f {
     return vec4f(colour * alpha, alpha);
 }
 
-// Two triangles that fill the square from (-1, -1) to (1, 1), for vertices 0..6.
+// Corners of two triangles that fill the square from (-1, -1) to (1, 1), for vertices 0..6.
 fn square_corner(index: u32) -> vec2f {
     let right = index == 1u || index == 2u || index == 4u;
     let top = index == 2u || index == 4u || index == 5u;
@@ -86,8 +86,7 @@ fn to_eye(point_m: vec3f) -> vec3f {
     return normalize(frame.eye.xyz - frame.eye.w * point_m);
 }
 
-// The clip position of a point, with the depth it would have a little nearer to the eye, so that what is drawn on the
-// surface is not swallowed by it.
+// Clip position of a point, with a depth slightly nearer to the eye, so that lines on the surface are not hidden by it.
 fn lifted(point_m: vec3f, share_of_radius: f32) -> vec4f {
     let clip = frame.clip_from_model * vec4f(point_m, 1.0);
     let nearer_m = point_m + to_eye(point_m) * share_of_radius * frame.radius_m;
@@ -95,7 +94,7 @@ fn lifted(point_m: vec3f, share_of_radius: f32) -> vec4f {
     return vec4f(clip.xy, clamp(nearer.z / nearer.w, 0.0, 1.0) * clip.w, clip.w);
 }
 
-// How much of a pixel lies inside an edge, from the distance to it in px (negative inside).
+// Pixel coverage from the signed distance to an edge in px (negative inside).
 fn coverage(distance_px: f32) -> f32 {
     return clamp(0.5 - distance_px, 0.0, 1.0);
 }

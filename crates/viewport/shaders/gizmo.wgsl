@@ -1,4 +1,4 @@
-// Three arms from the vertex in hand along the model's axes. Drawn after `marks.wgsl`, whose axes it shares.
+// Gizmo: three arms along the model's axes from the selected vertex. Follows `marks.wgsl`, which defines the axes.
 struct Arm {
     @builtin(position) clip: vec4f,
     @location(0) across_px: f32,

@@ -1,5 +1,5 @@
-// A soft shadow on an unseen floor under the face. The floor is never seen flatter than at a slant, so that a far eye sees
-// the shadow, too.
+// A soft shadow on an invisible floor below the mesh. The floor keeps a minimum tilt towards the viewer, so that the
+// shadow stays visible with a distant eye.
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) place: vec2f,

@@ -1,4 +1,4 @@
-// Marks that keep their size on the screen: ring, square, pin, dot, speck and the letters of the axes.
+// Screen-sized marks: ring, square, pin, dot, speck and the axes' letters.
 override alpha: f32 = 1.0;
 
 struct Corner {
@@ -31,13 +31,13 @@ fn axis_colour(axis: u32) -> vec3f {
     }
 }
 
-// A point so many CSS pixels from a vertex along an axis of the model, as seen from straight across.
+// A point at a distance in CSS px from a vertex along an axis, measured perpendicular to the line of sight.
 fn along_axis_m(vertex_m: vec3f, axis: u32, css_px: f32) -> vec3f {
     let clip = frame.clip_from_model * vec4f(vertex_m, 1.0);
     return vertex_m + axis_direction(axis) * css_px * frame.pixel_ratio * frame.m_per_px * clip.w;
 }
 
-// Arms that point at the viewer fade, as they would cover the vertex and could not be dragged along.
+// Arms towards the viewer fade: they would cover the vertex, and could not be dragged.
 fn arm_strength(vertex_m: vec3f, axis: u32) -> f32 {
     return smoothstep(0.10, 0.35, length(cross(to_eye(vertex_m), axis_direction(axis))));
 }
@@ -81,7 +81,7 @@ fn pin(place: vec2f) -> f32 {
     return min(head, segment(place, vec2f(0.0, 0.0), vec2f(0.0, 5.0)) - 0.9);
 }
 
-// Distance in CSS pixels to the edge of a mark; negative inside.
+// Signed distance in CSS px to the outline of a mark; negative inside.
 fn outline(place: vec2f, kind: u32) -> f32 {
     switch kind {
         case RING: { return abs(length(place) - 7.0) - 1.25; }
@@ -101,7 +101,7 @@ fn mark_colour(kind: u32) -> vec3f {
     }
 }
 
-// What has a colour of its own lies on skin, in whichever theme.
+// Marks with their own colours lie on skin, so their outline does not depend on the theme.
 fn halo_colour(kind: u32) -> vec3f {
     return select(vec3f(1.0), frame.halo.rgb, kind == SQUARE || kind == PIN);
 }

@@ -1,5 +1,5 @@
-// The mesh, and where its vertices are at this moment. What is known of each vertex fills whole texels of a texture,
-// vertex after vertex and row after row: WebGL2 has no storage buffers.
+// Current vertex positions and normals. Vertex data fill whole texels of a texture, row by row, because WebGL2 has no
+// storage buffers.
 struct Geometry {
     position_m: vec3f,
     normal: vec3f,
@@ -27,7 +27,7 @@ struct VertexAttributes {
 @group(1) @binding(4) var picture: texture_2d<f32>;
 @group(1) @binding(5) var picture_sampler: sampler;
 
-// Texels in a row; `src/vertex_data.rs` says the same.
+// Texels per row; same value as in `src/vertex_data.rs`.
 const ROW = 1024u;
 
 fn place(texel: u32) -> vec2u {
@@ -75,7 +75,7 @@ fn normal(vertex: u32) -> vec3f {
     return select(vec3f(0.0, 0.0, 1.0), blended / size, size > 0.0);
 }
 
-// How far a vertex follows the handles, whichever way, 0..1.
+// How far a vertex follows the handles in either direction, 0..1.
 fn response(vertex: u32) -> f32 {
     let follow = follow(vertex);
     return clamp(max(abs(follow.field_a), abs(follow.field_b)), 0.0, 1.0);

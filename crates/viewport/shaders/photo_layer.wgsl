@@ -1,4 +1,4 @@
-// The picture that was taken of the mesh, on its plane, its places moved.
+// The picture taken of the mesh, warped, on its plane.
 @group(1) @binding(0) var picture: texture_2d<f32>;
 @group(1) @binding(1) var picture_sampler: sampler;
 
@@ -7,7 +7,7 @@ struct Corner {
     @location(0) uv: vec2f,
 }
 
-// Where a place goes and where it comes from, in px of the picture.
+// Target and source of a point, in px of the picture.
 @vertex
 fn vertex(@location(0) to_px: vec2f, @location(1) from_px: vec2f) -> Corner {
     let place_px = mix(to_px, from_px, frame.before);

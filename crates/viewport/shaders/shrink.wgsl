@@ -1,4 +1,4 @@
-// The next smaller level of a picture: the mean of four pixels, taken in linear light.
+// Next mip level: the mean of four pixels in linear light.
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) uv: vec2f,

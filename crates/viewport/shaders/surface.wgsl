@@ -1,4 +1,4 @@
-// The face itself, shaded.
+// The shaded surface.
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) model_m: vec3f,
@@ -7,7 +7,7 @@ struct Corner {
     @location(3) colour: vec3f,
     @location(4) scalar: f32,
     @location(5) response: f32,
-    // Distance from what moves, 1 where an edit ends.
+    // Distance from the handles, as a multiple of the influence radius.
     @location(6) influence_distance: f32,
 }
 
@@ -21,14 +21,14 @@ const DISTORTION = 5u;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let skin = vertex_attributes(index);
+    let attributes = vertex_attributes(index);
     var corner: Corner;
     corner.model_m = position_m(index);
     corner.clip = frame.clip_from_model * vec4f(corner.model_m, 1.0);
     corner.normal = normal(index);
-    corner.uv = skin.uv;
-    corner.colour = linear_from_srgb(skin.colour);
-    corner.scalar = skin.scalar;
+    corner.uv = attributes.uv;
+    corner.colour = linear_from_srgb(attributes.colour);
+    corner.scalar = attributes.scalar;
     corner.response = response(index);
     corner.influence_distance = follow(index).influence_distance;
     return corner;
@@ -62,13 +62,13 @@ fn shaded(albedo: vec3f, facing: vec3f, towards_eye: vec3f) -> vec3f {
     return albedo * light + frame.light_colour * gleam;
 }
 
-// How much of a line of this width, in CSS px, along which `value` is 0 covers a place; `per_px` is how fast it changes.
+// Coverage of a line along `value` = 0 with a width in CSS px; `per_px` is the derivative of `value`.
 fn line_along(value: f32, per_px: f32, width_px: f32) -> f32 {
     let distance_px = abs(value) / max(per_px, 1e-9);
     return coverage(distance_px - 0.5 * width_px * frame.pixel_ratio);
 }
 
-// The influence radius of the edit and the plane of symmetry, where they cross the surface.
+// Lines on the surface: the influence radius and the plane of symmetry.
 fn lines_on(corner: Corner, distance_per_px: f32, x_per_px: f32) -> vec4f {
     let away = corner.influence_distance - 1.0;
     let halo = 0.6 * frame.rim * line_along(away, distance_per_px, 4.0);
@@ -79,9 +79,9 @@ fn lines_on(corner: Corner, distance_per_px: f32, x_per_px: f32) -> vec4f {
 }
 
 @fragment
-fn fragment(corner: Corner, @builtin(front_facing) winds: bool) -> @location(0) vec4f {
-    // In a mirror everything winds the other way round.
-    let front = winds != (frame.swapped > 0.5);
+fn fragment(corner: Corner, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
+    // Mirroring reverses the winding.
+    let front = is_front != (frame.swapped > 0.5);
     let picture_colour = textureSample(picture, picture_sampler, corner.uv).rgb;
     let distance_per_px = length(vec2f(dpdx(corner.influence_distance), dpdy(corner.influence_distance)));
     let x_per_px = length(vec2f(dpdx(corner.model_m.x), dpdy(corner.model_m.x)));

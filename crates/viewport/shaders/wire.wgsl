@@ -1,4 +1,4 @@
-// Edges as quads one CSS pixel wide, smoothed by coverage.
+// Edges as antialiased quads one CSS px wide.
 struct Corner {
     @builtin(position) clip: vec4f,
     @location(0) across_px: f32,

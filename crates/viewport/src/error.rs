@@ -1,56 +1,56 @@
 use thiserror::Error;
 
-/// Why nothing can be drawn.
+/// Reasons why nothing can be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ViewportError {
-    /// Neither the browser nor the system offers a GPU.
-    #[error("no GPU was found: {0}")]
+    /// No GPU is available.
+    #[error("no GPU found: {0}")]
     NoAdapter(String),
-    /// There is a GPU, but it would not give a device.
-    #[error("the GPU gave no device: {0}")]
+    /// The GPU cannot be used.
+    #[error("the GPU device could not be created: {0}")]
     NoDevice(String),
-    /// The canvas cannot be drawn to, perhaps because it has another kind of context.
-    #[error("the canvas cannot be drawn to: {0}")]
+    /// The canvas cannot be used, for example because it has another kind of context.
+    #[error("cannot draw on the canvas: {0}")]
     CanvasInUse(String),
-    /// The device went away: the driver restarted, the machine slept, or the browser took it back.
-    #[error("the GPU went away: {0}")]
+    /// The device was lost, for example because the driver restarted or the machine was suspended.
+    #[error("the GPU device was lost: {0}")]
     DeviceLost(String),
-    /// A list with one value for each vertex has another length.
+    /// A list with one value per vertex has the wrong length.
     #[error("{found} {what} for {expected} vertices")]
     LengthMismatch {
-        /// What the list holds.
+        /// Content of the list.
         what: &'static str,
         /// Number of vertices.
         expected: usize,
-        /// Number of values given.
+        /// Number of values.
         found: usize,
     },
-    /// The GPU's largest texture has no room for so many vertices.
-    #[error("{0} vertices are more than the GPU holds")]
+    /// The vertex data exceeds the GPU's maximum texture size.
+    #[error("{0} vertices exceed the GPU's limit")]
     TooManyVertices(usize),
-    /// The photo's bytes do not fill its size, or it has none.
-    #[error("{found} bytes for a picture of {width}×{height} px")]
+    /// The number of bytes does not match the picture's size, or the size is invalid.
+    #[error("{found} bytes do not match a picture of {width}×{height} px")]
     BadPicture {
         /// Width in px.
         width: u32,
         /// Height in px.
         height: u32,
-        /// Number of bytes given.
+        /// Number of bytes.
         found: usize,
     },
-    /// The GPU, or the program, has no memory for a picture of that size.
-    #[error("there is no memory for a picture of {width}×{height} px")]
+    /// Not enough memory for a picture of this size.
+    #[error("not enough memory for a picture of {width}×{height} px")]
     OutOfMemory {
         /// Width in px.
         width: u32,
         /// Height in px.
         height: u32,
     },
-    /// The GPU refused to draw a picture.
-    #[error("the GPU did not draw the picture: {0}")]
+    /// The GPU reported an error while drawing a picture.
+    #[error("the GPU could not draw the picture: {0}")]
     NotDrawn(String),
-    /// The picture that was drawn could not be read back.
+    /// The picture could not be read back.
     #[error("the picture could not be read back from the GPU")]
     NotRead,
 }

@@ -2,8 +2,8 @@ use std::future::Future;
 
 use crate::{Gpu, ViewportError};
 
-/// Everything that the GPU refuses from [`Self::open`] to [`Self::close`]: it goes on with what it has, such as nothing at all
-/// in place of a picture.
+/// Collects GPU errors from [`Self::open`] to [`Self::close`]. After an error, the GPU continues with invalid
+/// resources, such as an empty picture.
 pub(crate) struct ErrorScopes {
     memory: wgpu::ErrorScopeGuard,
     validation: wgpu::ErrorScopeGuard,
@@ -20,8 +20,8 @@ impl ErrorScopes {
         }
     }
 
-    /// Resolves to what went wrong while a picture of this size was drawn. What there was no memory for is invalid, too: memory
-    /// is the reason, then.
+    /// Resolves to the error, if any, of drawing a picture of this size. Failed allocations also cause validation
+    /// errors, so memory is checked first.
     pub fn close(self, [width, height]: [u32; 2]) -> impl Future<Output = Result<(), ViewportError>> + use<> {
         let (internal, validation, memory) = (self.internal.pop(), self.validation.pop(), self.memory.pop());
         async move {

@@ -3,7 +3,7 @@ use rosto_stage::FrameUniforms;
 use crate::Gpu;
 use crate::pipelines::Pipelines;
 
-/// What every shader reads once a frame, in the GPU's memory.
+/// Uniform buffer of a frame.
 #[derive(Debug)]
 pub(crate) struct FrameOnGpu {
     buffer: wgpu::Buffer,

@@ -4,22 +4,22 @@ use std::task::{Context, Poll, Waker};
 
 use crate::ViewportError;
 
-/// What a page draws through. One build has one way, so that nobody downloads the other's code.
+/// Graphics API of the page. A build contains one, so that no code for the other is downloaded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Backend {
     /// WebGPU.
     WebGpu,
-    /// WebGL2, for browsers without WebGPU: with the feature `webgl`.
+    /// WebGL2, for browsers without WebGPU; enabled by the feature `webgl`.
     WebGl2,
 }
 
 impl Backend {
-    /// What this build draws through. Outside browsers there is no WebGL2, whatever the features say.
+    /// API of this build. WebGL2 exists only in browsers.
     pub const OF_THIS_BUILD: Self =
         if cfg!(all(feature = "webgl", target_arch = "wasm32")) { Self::WebGl2 } else { Self::WebGpu };
 }
 
-/// A GPU's device and its queue.
+/// GPU device and queue.
 #[derive(Debug)]
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
@@ -27,7 +27,7 @@ pub struct Gpu {
     loss: Arc<Mutex<Loss>>,
 }
 
-/// What is known of a device's end, and who waits for it.
+/// State of a device's loss, and the tasks that wait for it.
 #[derive(Debug, Default)]
 struct Loss {
     message: Option<String>,
@@ -35,7 +35,7 @@ struct Loss {
 }
 
 impl Gpu {
-    /// Asks for a device to draw off screen with; a canvas comes with one of its own. WebGL2 has none but those.
+    /// Requests a device for drawing off screen; a canvas creates its device itself. Not available with WebGL2.
     ///
     /// # Errors
     /// [`ViewportError::NoAdapter`] or [`ViewportError::NoDevice`].
@@ -43,7 +43,7 @@ impl Gpu {
         Ok(Self::open(&instance(), None).await?.0)
     }
 
-    /// Asks for a device with the smallest common limits, so that phones pass too, and one that can draw on `surface`.
+    /// Requests a device with the lowest common limits, which phones support; `surface` must be supported if given.
     pub(crate) async fn open(
         instance: &wgpu::Instance,
         surface: Option<&wgpu::Surface<'static>>,
@@ -69,7 +69,7 @@ impl Gpu {
         Ok((Self { device, queue, loss }, adapter))
     }
 
-    /// Fails once the device is gone.
+    /// Returns an error after the device is lost.
     ///
     /// # Errors
     /// [`ViewportError::DeviceLost`].
@@ -78,13 +78,13 @@ impl Gpu {
         message.map_or(Ok(()), |message| Err(ViewportError::DeviceLost(message)))
     }
 
-    /// Resolves when the device is gone.
+    /// Resolves when the device is lost.
     pub(crate) fn lost(&self) -> impl Future<Output = ()> + use<> {
         let loss = Arc::clone(&self.loss);
         poll_fn(move |context| loss.lock().map_or(Poll::Ready(()), |mut loss| loss.poll(context)))
     }
 
-    /// A bind group with these resources, in the order of the layout's bindings.
+    /// Bind group with these resources, in the order of the layout's bindings.
     pub(crate) fn bind_group<'a>(
         &self,
         layout: &wgpu::BindGroupLayout,
@@ -100,7 +100,7 @@ impl Gpu {
     }
 }
 
-/// Whoever draws no more gives the GPU's memory back at once: a browser would keep it until it collects garbage.
+/// Frees the GPU's memory at once, rather than at the browser's next garbage collection.
 impl Drop for Gpu {
     fn drop(&mut self) {
         if Backend::OF_THIS_BUILD == Backend::WebGpu {
@@ -124,7 +124,7 @@ impl Loss {
     }
 }
 
-/// A texture of one level, with one sample a pixel.
+/// Descriptor of a texture with one mip level and one sample per pixel.
 pub(crate) fn texture(
     label: &'static str,
     [width, height]: [u32; 2],
@@ -147,7 +147,7 @@ pub(crate) fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     if Backend::OF_THIS_BUILD == Backend::WebGl2 {
         descriptor.backends = wgpu::Backends::GL;
-        // Reading a buffer back waits for the GPU by itself, and a fence would pass only after the page's next task.
+        // Reading a buffer back already waits for the GPU; a fence would be signalled only in the page's next task.
         descriptor.backend_options.gl.fence_behavior = wgpu::GlFenceBehavior::AutoFinish;
     }
     wgpu::Instance::new(descriptor)

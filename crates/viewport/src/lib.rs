@@ -1,8 +1,8 @@
-//! The wgpu view of a mesh: ways to paint it, marks on it, pictures of it.
+//! Draws a mesh with wgpu.
 //!
-//! A `rosto_stage::Stage` says what is seen and how; it is the caller's. A [`Viewport`] keeps a mesh in the GPU's memory
-//! and draws a stage, only when something changed, on a canvas or into a picture that is read back. Positions are metres
-//! in the model's frame, +Y up, +Z out of the face; px are device pixels from the top left.
+//! A `rosto_stage::Stage`, owned by the caller, describes the view. A [`Viewport`] holds a mesh in GPU memory and draws
+//! a stage on a canvas or into a picture that is read back, only after changes. Positions are metres in the model's
+//! frame, +Y up, +Z out of the face; px are device pixels from the top left.
 
 mod error;
 mod error_scopes;
@@ -29,7 +29,7 @@ pub use snapshot::Snapshot;
 pub use target::Target;
 pub use viewport::Viewport;
 
-/// The examples of the README are tested with those of the code.
+/// Tests the README's examples.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

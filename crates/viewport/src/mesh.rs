@@ -4,33 +4,33 @@ use wgpu::BindingResource::{Sampler, TextureView};
 use wgpu::util::DeviceExt;
 
 use crate::pipelines::Pipelines;
-use crate::vertex::{Geometry, InfluenceWeights, VertexAttributes, follows, geometry};
+use crate::vertex::{Geometry, InfluenceWeights, VertexAttributes, geometry, influence_weights};
 use crate::vertex_data::VertexData;
 use crate::{Gpu, PictureOnGpu, ViewportError, picture};
 
-/// A mesh to show.
+/// Mesh to draw.
 #[derive(Debug, Clone, Copy)]
 pub struct MeshInput<'a> {
-    /// How its vertices are joined.
+    /// Triangles and vertex count.
     pub topology: &'a Topology,
-    /// Where they are, in metres.
+    /// Vertex positions in metres.
     pub positions_m: &'a [DVec3],
-    /// A colour for each vertex, sRGB; empty for white.
+    /// sRGB colour per vertex; empty for white.
     pub colours_srgb: &'a [[u8; 3]],
-    /// Each vertex' place in the picture, 0..1 from its top left; empty without a picture.
+    /// Texture coordinates in the picture, 0..1 from its top left; empty without a picture.
     pub uvs: &'a [DVec2],
-    /// The photo; none for white.
+    /// Texture; `None` for white.
     pub picture: Option<&'a PictureOnGpu>,
 }
 
-/// A mesh in the GPU's memory.
+/// Mesh in GPU memory.
 #[derive(Debug)]
 pub(crate) struct MeshOnGpu {
     pub topology: Topology,
     positions_m: Vec<DVec3>,
     geometry: VertexData<Geometry>,
     geometry_before: VertexData<Geometry>,
-    follows: VertexData<InfluenceWeights>,
+    influence: VertexData<InfluenceWeights>,
     attributes: VertexData<VertexAttributes>,
     attribute_list: Vec<VertexAttributes>,
     pub indices: wgpu::Buffer,
@@ -51,10 +51,10 @@ impl MeshOnGpu {
         let geometry_list = geometry(input.topology, input.positions_m);
         let geometry_now = VertexData::new(gpu, &geometry_list)?;
         let geometry_before = VertexData::new(gpu, &geometry_list)?;
-        let follows = VertexData::new(gpu, &vec![InfluenceWeights::default(); attribute_list.len()])?;
+        let influence = VertexData::new(gpu, &vec![InfluenceWeights::default(); attribute_list.len()])?;
         let attributes = VertexData::new(gpu, &attribute_list)?;
         let textures =
-            [geometry_now.view(), geometry_before.view(), follows.view(), attributes.view(), picture.view.clone()];
+            [geometry_now.view(), geometry_before.view(), influence.view(), attributes.view(), picture.view.clone()];
         let sampler = picture::sampler(gpu);
         let resources = textures.iter().map(TextureView).chain([Sampler(&sampler)]);
         Ok(Self {
@@ -65,7 +65,7 @@ impl MeshOnGpu {
             positions_m: input.positions_m.to_vec(),
             geometry: geometry_now,
             geometry_before,
-            follows,
+            influence,
             attributes,
             attribute_list,
         })
@@ -93,20 +93,20 @@ impl MeshOnGpu {
         for field in fields.into_iter().chain([influence_distances]).flatten() {
             check_length("responses", field.len(), self.topology.vertex_count())?;
         }
-        self.follows.write(gpu, &follows(&self.topology, &self.positions_m, fields, influence_distances));
+        self.influence.write(gpu, &influence_weights(&self.topology, &self.positions_m, fields, influence_distances));
         Ok(())
     }
 
     pub fn write_uvs(&mut self, gpu: &Gpu, uvs: &[DVec2]) -> Result<(), ViewportError> {
-        check_length("places in the picture", uvs.len(), self.topology.vertex_count())?;
-        self.attribute_list.iter_mut().zip(uvs).for_each(|(skin, uv)| skin.uv = uv.as_vec2().to_array());
+        check_length("texture coordinates", uvs.len(), self.topology.vertex_count())?;
+        self.attribute_list.iter_mut().zip(uvs).for_each(|(attributes, uv)| attributes.uv = uv.as_vec2().to_array());
         self.attributes.write(gpu, &self.attribute_list);
         Ok(())
     }
 
     pub fn write_scalars(&mut self, gpu: &Gpu, scalars: &[f64]) -> Result<(), ViewportError> {
         check_length("scalars", scalars.len(), self.topology.vertex_count())?;
-        self.attribute_list.iter_mut().zip(scalars).for_each(|(skin, &scalar)| skin.scalar = scalar as f32);
+        self.attribute_list.iter_mut().zip(scalars).for_each(|(attributes, &scalar)| attributes.scalar = scalar as f32);
         self.attributes.write(gpu, &self.attribute_list);
         Ok(())
     }
@@ -121,9 +121,9 @@ fn attributes(input: &MeshInput<'_>) -> Result<Vec<VertexAttributes>, ViewportEr
         check_length("colours", input.colours_srgb.len(), input.topology.vertex_count())?;
     }
     if !input.uvs.is_empty() || input.picture.is_some() {
-        check_length("places in the picture", input.uvs.len(), input.topology.vertex_count())?;
+        check_length("texture coordinates", input.uvs.len(), input.topology.vertex_count())?;
     }
-    let skin = |vertex: usize| {
+    let attributes = |vertex: usize| {
         let colour = input.colours_srgb.get(vertex).copied().unwrap_or([255; 3]);
         VertexAttributes {
             uv: input.uvs.get(vertex).map_or([0.0; 2], |uv| uv.as_vec2().to_array()),
@@ -131,10 +131,10 @@ fn attributes(input: &MeshInput<'_>) -> Result<Vec<VertexAttributes>, ViewportEr
             ..VertexAttributes::default()
         }
     };
-    Ok((0..input.topology.vertex_count()).map(skin).collect())
+    Ok((0..input.topology.vertex_count()).map(attributes).collect())
 }
 
-/// A buffer with these bytes; never empty, since the GPU takes no empty ones.
+/// Creates a buffer with these bytes; at least 48, because empty buffers are invalid.
 pub(crate) fn filled(gpu: &Gpu, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
     let contents = if bytes.is_empty() { &[0; 48] } else { bytes };
     let usage = usage | wgpu::BufferUsages::COPY_DST;

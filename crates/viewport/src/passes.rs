@@ -3,15 +3,15 @@ use rosto_stage::{Background, Dots, RenderSettings, Stage, Surface, Visibility};
 use crate::frame::FrameOnGpu;
 use crate::mesh::MeshOnGpu;
 use crate::photo_layer::PhotoLayerOnGpu;
-use crate::pipelines::{Pipelines, Twin};
+use crate::pipelines::{OverlayPair, Pipelines};
 use crate::target::Attachments;
 
-/// What a frame is drawn from.
+/// Resources of a frame.
 #[derive(Debug)]
-pub(crate) struct Drawn {
+pub(crate) struct FrameResources {
     pub(crate) pipelines: Pipelines,
     pub(crate) frame: FrameOnGpu,
-    /// The same with the shape before, for the other part of a picture that shows both.
+    /// Uniforms of the original shape, for the comparison slider.
     pub(crate) frame_before: FrameOnGpu,
     pub(crate) mesh: Option<MeshOnGpu>,
     pub(crate) photo_layer: Option<PhotoLayerOnGpu>,
@@ -19,9 +19,9 @@ pub(crate) struct Drawn {
     pub(crate) mark_count: u32,
 }
 
-/// Records one frame: backdrop, mesh, lines, marks.
+/// Records one frame: background, mesh, lines, marks.
 pub(crate) fn record(
-    drawn: &Drawn,
+    drawn: &FrameResources,
     stage: &Stage,
     encoder: &mut wgpu::CommandEncoder,
     attachments: &Attachments,
@@ -53,8 +53,14 @@ pub(crate) fn record(
     }
 }
 
-/// The shape before up to a share of the picture's width, and the shape now beyond.
-fn record_both(drawn: &Drawn, stage: &Stage, share: f64, [width, height]: [u32; 2], pass: &mut wgpu::RenderPass<'_>) {
+/// Records the original shape up to a share of the width, and the current shape beyond.
+fn record_both(
+    drawn: &FrameResources,
+    stage: &Stage,
+    share: f64,
+    [width, height]: [u32; 2],
+    pass: &mut wgpu::RenderPass<'_>,
+) {
     let edge = ((share * f64::from(width)).round() as u32).min(width);
     pass.set_bind_group(0, &drawn.frame_before.bindings, &[]);
     pass.set_scissor_rect(0, 0, edge, height);
@@ -62,7 +68,7 @@ fn record_both(drawn: &Drawn, stage: &Stage, share: f64, [width, height]: [u32; 
     pass.set_bind_group(0, &drawn.frame.bindings, &[]);
     pass.set_scissor_rect(edge, 0, width - edge, height);
     record_shape(drawn, stage, pass);
-    // WebGL2 cuts what it brings to the canvas, too.
+    // WebGL2 applies the scissor rectangle to the final blit, too.
     pass.set_scissor_rect(0, 0, width, height);
 }
 
@@ -76,39 +82,39 @@ fn empty_colour(background: Background) -> wgpu::Color {
     }
 }
 
-fn record_backdrop(drawn: &Drawn, settings: &RenderSettings, pass: &mut wgpu::RenderPass<'_>) {
+fn record_backdrop(drawn: &FrameResources, settings: &RenderSettings, pass: &mut wgpu::RenderPass<'_>) {
     if settings.background == Background::Ground {
         pass.set_pipeline(&drawn.pipelines.background);
         pass.draw(0..3, 0..1);
     }
 }
 
-fn record_shape(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+fn record_shape(drawn: &FrameResources, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     record_photo_layer(drawn, stage, pass);
     record_mesh(drawn, stage, pass);
 }
 
-fn record_photo_layer(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+fn record_photo_layer(drawn: &FrameResources, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let Some(photo_layer) = drawn.photo_layer.as_ref().filter(|_| stage.picture_share() > 0.0) else { return };
     pass.set_pipeline(&drawn.pipelines.photo_layer);
     pass.set_bind_group(1, &photo_layer.bindings, &[]);
-    pass.set_vertex_buffer(0, photo_layer.ways_on_gpu.slice(..));
+    pass.set_vertex_buffer(0, photo_layer.points_on_gpu.slice(..));
     pass.set_index_buffer(photo_layer.indices.slice(..), wgpu::IndexFormat::Uint32);
     pass.draw_indexed(0..photo_layer.index_count, 0, 0..1);
 }
 
-fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+fn record_mesh(drawn: &FrameResources, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     let Some(mesh) = &drawn.mesh else { return };
     let pipelines = &drawn.pipelines;
     let settings = stage.render_settings();
     pass.set_bind_group(1, &mesh.bindings, &[]);
     pass.set_index_buffer(mesh.indices.slice(..), wgpu::IndexFormat::Uint32);
-    // All of the picture hides the mesh, which lies on it.
-    let is_felt = drawn.photo_layer.is_some() && stage.picture_share() == 1.0;
-    let is_bare = is_felt || settings.surface == Surface::HiddenLine;
-    pass.set_pipeline(if is_bare { &pipelines.bare } else { &pipelines.surface });
+    // A fully visible picture replaces the mesh, which then only writes depth.
+    let is_covered = drawn.photo_layer.is_some() && stage.picture_share() == 1.0;
+    let is_depth_only = is_covered || settings.surface == Surface::HiddenLine;
+    pass.set_pipeline(if is_depth_only { &pipelines.depth_only } else { &pipelines.surface });
     pass.draw_indexed(0..3 * mesh.topology.triangles().len() as u32, 0, 0..1);
-    if settings.background == Background::Ground && !is_bare {
+    if settings.background == Background::Ground && !is_depth_only {
         pass.set_pipeline(&pipelines.ground);
         pass.draw(0..6, 0..1);
     }
@@ -125,17 +131,17 @@ fn record_mesh(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     record_marks(drawn, stage, pass);
 }
 
-fn record_marks(drawn: &Drawn, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
+fn record_marks(drawn: &FrameResources, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
     if stage.gizmo().is_some() {
-        record_twin(&drawn.pipelines.gizmo, 3, pass);
+        record_overlay_pair(&drawn.pipelines.gizmo, 3, pass);
     }
     if drawn.mark_count > 0 {
         pass.set_vertex_buffer(0, drawn.marks.slice(..));
-        record_twin(&drawn.pipelines.marks, drawn.mark_count, pass);
+        record_overlay_pair(&drawn.pipelines.marks, drawn.mark_count, pass);
     }
 }
 
-fn record_twin(Twin { seen, hidden }: &Twin, count: u32, pass: &mut wgpu::RenderPass<'_>) {
+fn record_overlay_pair(OverlayPair { seen, hidden }: &OverlayPair, count: u32, pass: &mut wgpu::RenderPass<'_>) {
     for pipeline in [hidden, seen] {
         pass.set_pipeline(pipeline);
         pass.draw(0..6, 0..count);

@@ -3,20 +3,20 @@ use crate::{Gpu, ViewportError};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
 
-/// A picture in the GPU's memory; its clones are the same one.
+/// Texture in GPU memory; clones share it.
 #[derive(Debug, Clone)]
 pub struct PictureOnGpu {
     texture: wgpu::Texture,
     pub(crate) view: wgpu::TextureView,
 }
 
-/// Room for a picture and its smaller levels.
+/// Allocates a texture with all mip levels.
 pub(crate) fn reserve(gpu: &Gpu, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
     let levels = wgpu::Extent3d { width, height, depth_or_array_layers: 1 }.max_mips(wgpu::TextureDimension::D2);
     reserve_levels(gpu, width, height, levels)
 }
 
-/// An empty texture with so many mip levels. Sizes are in px.
+/// Allocates a texture with `levels` mip levels. Sizes are in px.
 pub(crate) fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) -> Result<PictureOnGpu, ViewportError> {
     if width == 0 || height == 0 || width.max(height) > gpu.largest_side_px() {
         return Err(ViewportError::BadPicture { width, height, found: 0 });
@@ -29,7 +29,7 @@ pub(crate) fn reserve_levels(gpu: &Gpu, width: u32, height: u32, levels: u32) ->
     Ok(PictureOnGpu { texture, view })
 }
 
-/// Writes whole rows of a picture, from `first_row` on.
+/// Writes complete rows of a picture, starting at `first_row`.
 pub(crate) fn write_rows(gpu: &Gpu, picture: &PictureOnGpu, first_row: u32, rgba: &[u8]) -> Result<(), ViewportError> {
     let (width, height) = (picture.texture.width(), picture.texture.height());
     let row_bytes = 4 * width as usize;
@@ -37,15 +37,15 @@ pub(crate) fn write_rows(gpu: &Gpu, picture: &PictureOnGpu, first_row: u32, rgba
     if !rgba.len().is_multiple_of(row_bytes) || first_row.saturating_add(rows) > height {
         return Err(ViewportError::BadPicture { width, height, found: rgba.len() });
     }
-    let mut place = picture.texture.as_image_copy();
-    place.origin.y = first_row;
+    let mut position = picture.texture.as_image_copy();
+    position.origin.y = first_row;
     let layout =
         wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row_bytes as u32), rows_per_image: Some(rows) };
-    gpu.queue.write_texture(place, rgba, layout, wgpu::Extent3d { width, height: rows, depth_or_array_layers: 1 });
+    gpu.queue.write_texture(position, rgba, layout, wgpu::Extent3d { width, height: rows, depth_or_array_layers: 1 });
     Ok(())
 }
 
-/// Replaces all pixels by those of a bitmap of the same size, which the browser has on the GPU already if it can.
+/// Replaces all pixels by those of a bitmap of the same size, if possible without a copy through the CPU.
 #[cfg(target_arch = "wasm32")]
 pub(crate) fn write_bitmap(
     gpu: &Gpu,
@@ -61,7 +61,7 @@ pub(crate) fn write_bitmap(
         origin: wgpu::Origin2d::ZERO,
         flip_y: false,
     };
-    let place = wgpu::CopyExternalImageDestInfo {
+    let position = wgpu::CopyExternalImageDestInfo {
         texture: &picture.texture,
         mip_level: 0,
         origin: wgpu::Origin3d::ZERO,
@@ -70,11 +70,11 @@ pub(crate) fn write_bitmap(
         premultiplied_alpha: false,
     };
     let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
-    gpu.queue.copy_external_image_to_texture(&source, place, size);
+    gpu.queue.copy_external_image_to_texture(&source, position, size);
     Ok(())
 }
 
-/// One white pixel, for a mesh without a photo.
+/// One white pixel, for meshes without a picture.
 pub(crate) fn blank(gpu: &Gpu) -> Result<PictureOnGpu, ViewportError> {
     let pixel = reserve(gpu, 1, 1)?;
     write_rows(gpu, &pixel, 0, &[255; 4])?;
@@ -92,7 +92,7 @@ pub(crate) fn sampler(gpu: &Gpu) -> wgpu::Sampler {
     })
 }
 
-/// The pipeline that makes one level from the level before.
+/// Pipeline that computes a mip level from the previous one.
 pub(crate) fn shrink_pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
     let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("shrink"),
@@ -121,7 +121,7 @@ pub(crate) fn shrink_pipeline(gpu: &Gpu) -> wgpu::RenderPipeline {
     })
 }
 
-/// Makes the smaller levels once all rows are there, each pixel the mean of four in linear light.
+/// Computes the mip levels; each pixel is the mean of four, in linear light.
 pub(crate) fn finish(gpu: &Gpu, shrink: &wgpu::RenderPipeline, PictureOnGpu { texture, .. }: &PictureOnGpu) {
     let level = |base_mip_level| {
         texture.create_view(&wgpu::TextureViewDescriptor {

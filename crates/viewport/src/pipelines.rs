@@ -3,7 +3,7 @@ use std::borrow::Cow;
 use crate::target::{DEPTH_FORMAT, SAMPLES};
 use crate::{Gpu, shaders};
 
-/// Every way of drawing, and the layouts of what they read.
+/// Render pipelines and their bind group layouts.
 #[derive(Debug)]
 pub(crate) struct Pipelines {
     pub frame_layout: wgpu::BindGroupLayout,
@@ -13,26 +13,26 @@ pub(crate) struct Pipelines {
     pub photo_layer: wgpu::RenderPipeline,
     pub ground: wgpu::RenderPipeline,
     pub surface: wgpu::RenderPipeline,
-    pub bare: wgpu::RenderPipeline,
+    pub depth_only: wgpu::RenderPipeline,
     pub wire: wgpu::RenderPipeline,
     pub dots: wgpu::RenderPipeline,
-    pub marks: Twin,
-    pub gizmo: Twin,
+    pub marks: OverlayPair,
+    pub gizmo: OverlayPair,
 }
 
-/// One way of drawing where it is seen, and faintly where something hides it.
+/// Pipelines for the visible and the occluded part of an overlay.
 #[derive(Debug)]
-pub(crate) struct Twin {
+pub(crate) struct OverlayPair {
     pub seen: wgpu::RenderPipeline,
     pub hidden: wgpu::RenderPipeline,
 }
 
-/// How faintly marks show through what hides them.
+/// Opacity of occluded marks.
 const HIDDEN_MARK_ALPHA: f64 = 0.3;
-/// Arms are there to be taken hold of, so that they stay well to be seen.
+/// Opacity of occluded gizmo arms, which must remain easy to pick.
 const HIDDEN_ARM_ALPHA: f64 = 0.75;
 
-/// What a pipeline does with depth and colour.
+/// Depth and colour state of a pipeline.
 #[derive(Clone, Copy)]
 enum Role {
     Backdrop,
@@ -56,7 +56,7 @@ const PAIR: [Option<wgpu::VertexBufferLayout<'_>>; 1] = [Some(wgpu::VertexBuffer
     step_mode: wgpu::VertexStepMode::Instance,
     attributes: &[wgpu::VertexAttribute { format: wgpu::VertexFormat::Uint32x2, offset: 0, shader_location: 0 }],
 })];
-const WAY: [Option<wgpu::VertexBufferLayout<'_>>; 1] = [Some(wgpu::VertexBufferLayout {
+const POINT: [Option<wgpu::VertexBufferLayout<'_>>; 1] = [Some(wgpu::VertexBufferLayout {
     array_stride: 16,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &[
@@ -77,9 +77,9 @@ impl Pipelines {
         let build = |layout: &wgpu::PipelineLayout, name, text, role| {
             pipeline(gpu, format, layout, &PipelineSpec { name, text, entries: MAIN, role, words: &[] })
         };
-        let twin = |name, text, entries, words, alpha| {
+        let overlay_pair = |name, text, entries, words, alpha| {
             let one = |role| pipeline(gpu, format, &over_mesh, &PipelineSpec { name, text, entries, role, words });
-            Twin { seen: one(Role::Overlay), hidden: one(Role::SeenThrough { alpha }) }
+            OverlayPair { seen: one(Role::Overlay), hidden: one(Role::SeenThrough { alpha }) }
         };
         let wire = PipelineSpec { name: "wire", text: shaders::WIRE, entries: MAIN, role: Role::Overlay, words: &PAIR };
         let photo_layer = PipelineSpec {
@@ -87,18 +87,18 @@ impl Pipelines {
             text: shaders::PHOTO_LAYER,
             entries: MAIN,
             role: Role::PhotoLayer,
-            words: &WAY,
+            words: &POINT,
         };
         Self {
             photo_layer: pipeline(gpu, format, &over_picture, &photo_layer),
             background: build(&backdrop, "background", shaders::BACKGROUND, Role::Backdrop),
             ground: build(&backdrop, "ground", shaders::GROUND, Role::Overlay),
             surface: build(&over_mesh, "surface", shaders::SURFACE, Role::Solid),
-            bare: build(&over_mesh, "bare", shaders::SURFACE, Role::DepthOnly),
+            depth_only: build(&over_mesh, "depth_only", shaders::SURFACE, Role::DepthOnly),
             dots: build(&over_mesh, "dots", shaders::DOTS, Role::Overlay),
             wire: pipeline(gpu, format, &over_mesh, &wire),
-            marks: twin("marks", shaders::MARKS, MAIN, &PAIR[..], HIDDEN_MARK_ALPHA),
-            gizmo: twin("gizmo", shaders::GIZMO, ["arm_vertex", "arm_fragment"], &[], HIDDEN_ARM_ALPHA),
+            marks: overlay_pair("marks", shaders::MARKS, MAIN, &PAIR[..], HIDDEN_MARK_ALPHA),
+            gizmo: overlay_pair("gizmo", shaders::GIZMO, ["arm_vertex", "arm_fragment"], &[], HIDDEN_ARM_ALPHA),
             frame_layout,
             mesh_layout,
             photo_layer_layout,

@@ -1,4 +1,4 @@
-//! The shaders' texts, joined with what they share.
+//! WGSL sources, concatenated with their shared parts.
 
 macro_rules! shader {
     ($($file:literal),+) => { concat!($(include_str!(concat!("../shaders/", $file, ".wgsl")), "\n"),+) };
@@ -46,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn every_shader_is_valid() {
+    fn shaders_are_valid() {
         for (name, text) in ALL {
             let mut validator =
                 naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn every_shader_file_is_among_those_validated() {
+    fn each_shader_file_is_validated() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/shaders");
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn structs_have_the_same_size_in_rust_and_in_the_shaders() {
+    fn structs_have_the_same_size_in_rust_and_wgsl() {
         let surface = module(SURFACE);
         assert_eq!(size_of_struct(&surface, "FrameUniforms"), size_of::<FrameUniforms>());
         assert_eq!(size_of_struct(&surface, "Geometry"), size_of::<Geometry>());

@@ -2,22 +2,22 @@ use futures_channel::oneshot;
 
 use crate::{Gpu, ViewportError};
 
-/// A picture read back: straight (not premultiplied) sRGB, row by row from the top.
+/// Picture read back from the GPU: sRGB with straight alpha, row by row from the top.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Snapshot {
     /// Width in px.
     pub width: u32,
     /// Height in px.
     pub height: u32,
-    /// Red, green, blue, alpha of each pixel.
+    /// Red, green, blue and alpha of each pixel.
     pub rgba: Vec<u8>,
 }
 
 impl Snapshot {
-    /// The pixel in column x and row y.
+    /// Pixel in column `x` and row `y`.
     ///
     /// # Panics
-    /// If there is no such pixel.
+    /// If the pixel is outside the picture.
     pub fn pixel(&self, x: u32, y: u32) -> [u8; 4] {
         assert!(x < self.width && y < self.height, "({x}, {y}) is outside {}×{} px", self.width, self.height);
         let start = 4 * (y as usize * self.width as usize + x as usize);
@@ -25,7 +25,7 @@ impl Snapshot {
     }
 }
 
-/// A picture on its way back from the GPU. It borrows nothing, so that drawing goes on meanwhile.
+/// Read-back in progress. It borrows nothing, so that drawing can continue.
 #[derive(Debug)]
 pub(crate) struct Pending {
     buffer: wgpu::Buffer,
@@ -34,7 +34,7 @@ pub(crate) struct Pending {
     format: wgpu::TextureFormat,
 }
 
-/// Asks the GPU to copy a texture to where it can be read.
+/// Records a copy of a texture to a readable buffer.
 pub(crate) fn copy(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, texture: &wgpu::Texture) -> Pending {
     let size = [texture.width(), texture.height()];
     let padded_row = (4 * size[0]).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
@@ -55,11 +55,11 @@ pub(crate) fn copy(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, texture: &wgpu
 }
 
 impl Pending {
-    /// Waits for the picture. Natively, somebody must go on polling the device.
+    /// Waits for the picture. Outside browsers, the caller must poll the device.
     pub async fn read(self, device: &wgpu::Device) -> Result<Snapshot, ViewportError> {
         let (answer, mapping) = oneshot::channel();
         self.buffer.map_async(wgpu::MapMode::Read, .., |result| drop(answer.send(result)));
-        // WebGPU answers by itself, WebGL2 only when asked. A device that is gone answers the mapping.
+        // WebGPU resolves the mapping by itself, WebGL2 needs a poll. A lost device fails the mapping.
         let _ = device.poll(wgpu::PollType::Poll);
         mapping.await.map(Result::ok).ok().flatten().ok_or(ViewportError::NotRead)?;
         let view = self.buffer.get_mapped_range(..).map_err(|_| ViewportError::NotRead)?;
@@ -79,7 +79,7 @@ impl Pending {
     }
 }
 
-/// Undoes the multiplication by alpha.
+/// Converts premultiplied to straight alpha.
 fn straight(colour: [u8; 3], alpha: u8) -> [u8; 4] {
     let divide = |channel: u8| ((u32::from(channel) * 255 + u32::from(alpha) / 2) / u32::from(alpha)).min(255) as u8;
     let [red, green, blue] = if alpha == 0 { [0; 3] } else { colour.map(divide) };
@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn half_covered_white_is_white() {
+    fn premultiplied_alpha_is_divided_out() {
         assert_eq!(straight([128, 64, 0], 128), [255, 128, 0, 128]);
         assert_eq!(straight([10, 20, 30], 255), [10, 20, 30, 255]);
         assert_eq!(straight([0; 3], 0), [0; 4]);

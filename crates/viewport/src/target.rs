@@ -3,59 +3,59 @@ use crate::gpu::texture;
 #[cfg(target_arch = "wasm32")]
 use crate::{Backend, ViewportError, gpu};
 
-/// Samples for each pixel.
+/// Samples per pixel.
 pub(crate) const SAMPLES: u32 = 4;
-/// What depth is kept in.
+/// Format of the depth buffer.
 pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
-/// Where frames go: a canvas, or a picture in memory.
+/// Destination of frames: a canvas, or none.
 #[derive(Debug)]
 pub struct Target {
-    place: Place,
-    /// The format that shaders write, already encoded.
+    destination: Destination,
+    /// Format of the colour attachment; shaders encode to sRGB themselves.
     pub(crate) format: wgpu::TextureFormat,
 }
 
 #[derive(Debug)]
-enum Place {
+enum Destination {
     #[cfg(target_arch = "wasm32")]
     Surface(wgpu::Surface<'static>, wgpu::CompositeAlphaMode),
     Offscreen,
 }
 
-/// What one frame draws into.
+/// Destination of one frame.
 pub(crate) enum Canvas {
-    /// Draw into the texture, then present it.
+    /// Texture to draw into and present.
     #[cfg(target_arch = "wasm32")]
     Ready(wgpu::SurfaceTexture),
-    /// Nothing to present on; the frame is only counted.
+    /// Off screen: nothing to present.
     Offscreen,
-    /// Not now: hidden, resized meanwhile, or late. Another frame will do.
+    /// Canvas unavailable (hidden or resized); draw the next frame instead.
     #[cfg(target_arch = "wasm32")]
-    Later,
+    Unavailable,
 }
 
 impl Target {
-    /// Nothing to present on: pictures are read back with [`crate::Viewport::snapshot`].
+    /// Target without a canvas; pictures are read back with [`crate::Viewport::snapshot`].
     pub fn offscreen() -> Self {
-        Self { place: Place::Offscreen, format: wgpu::TextureFormat::Rgba8Unorm }
+        Self { destination: Destination::Offscreen, format: wgpu::TextureFormat::Rgba8Unorm }
     }
 
-    /// A canvas of the page, with a GPU that draws on it.
+    /// Target for a canvas, with a device that can draw on it.
     ///
     /// # Errors
-    /// [`ViewportError::NoAdapter`], [`ViewportError::NoDevice`], or [`ViewportError::CanvasInUse`] if the canvas gives no
-    /// context for this build's [`Backend`].
+    /// [`ViewportError::NoAdapter`], [`ViewportError::NoDevice`], or [`ViewportError::CanvasInUse`] if the canvas has
+    /// no context for this build's [`Backend`].
     #[cfg(target_arch = "wasm32")]
     pub async fn canvas(canvas: wgpu::web_sys::HtmlCanvasElement) -> Result<(Gpu, Self), ViewportError> {
         let instance = gpu::instance();
         let (gpu, adapter, surface) = match Backend::OF_THIS_BUILD {
-            // The first context that a canvas gives is its only one: it is not touched before there is a device.
+            // A canvas keeps the first context it creates, so create one only when the device exists.
             Backend::WebGpu => {
                 let (gpu, adapter) = Gpu::open(&instance, None).await?;
                 (gpu, adapter, surface(&instance, canvas)?)
             }
-            // Here the canvas's context is the device.
+            // With WebGL2, the canvas' context is the device.
             Backend::WebGl2 => {
                 let surface = surface(&instance, canvas)?;
                 let (gpu, adapter) = Gpu::open(&instance, Some(&surface)).await?;
@@ -64,44 +64,44 @@ impl Target {
         };
         let offered = surface.get_capabilities(&adapter);
         let format = offered.formats.iter().copied().find(|format| !format.is_srgb());
-        let format = format.ok_or_else(|| ViewportError::CanvasInUse("it offers no format".into()))?;
-        // wgpu says of both that they offer opaque canvases only. WebGPU has premultiplied ones, too, and a WebGL2 canvas is
-        // one already.
+        let format = format.ok_or_else(|| ViewportError::CanvasInUse("it supports no format".into()))?;
+        // wgpu reports only opaque canvases. WebGPU also supports premultiplied alpha, and a WebGL2 canvas already uses
+        // it.
         let alpha = match Backend::OF_THIS_BUILD {
             Backend::WebGpu => wgpu::CompositeAlphaMode::PreMultiplied,
             Backend::WebGl2 => wgpu::CompositeAlphaMode::Auto,
         };
-        Ok((gpu, Self { place: Place::Surface(surface, alpha), format }))
+        Ok((gpu, Self { destination: Destination::Surface(surface, alpha), format }))
     }
 
-    /// Fits the canvas to a size in px.
+    /// Configures the canvas for a size in px.
     pub(crate) fn configure(&self, gpu: &Gpu, width: u32, height: u32) {
-        match &self.place {
+        match &self.destination {
             #[cfg(target_arch = "wasm32")]
-            Place::Surface(surface, alpha) => {
+            Destination::Surface(surface, alpha) => {
                 surface.configure(&gpu.device, &configuration(self.format, *alpha, width, height));
             }
-            Place::Offscreen => {
+            Destination::Offscreen => {
                 let _ = (gpu, width, height);
             }
         }
     }
 
-    /// What the next frame draws into.
+    /// Acquires the destination of the next frame.
     pub(crate) fn acquire(&self, gpu: &Gpu, width: u32, height: u32) -> Canvas {
-        match &self.place {
+        match &self.destination {
             #[cfg(target_arch = "wasm32")]
-            Place::Surface(surface, _) => match surface.get_current_texture() {
+            Destination::Surface(surface, _) => match surface.get_current_texture() {
                 wgpu::CurrentSurfaceTexture::Success(texture) | wgpu::CurrentSurfaceTexture::Suboptimal(texture) => {
                     Canvas::Ready(texture)
                 }
                 wgpu::CurrentSurfaceTexture::Outdated | wgpu::CurrentSurfaceTexture::Lost => {
                     self.configure(gpu, width, height);
-                    Canvas::Later
+                    Canvas::Unavailable
                 }
-                _ => Canvas::Later,
+                _ => Canvas::Unavailable,
             },
-            Place::Offscreen => {
+            Destination::Offscreen => {
                 let _ = (gpu, width, height);
                 Canvas::Offscreen
             }
@@ -138,7 +138,7 @@ fn configuration(
     }
 }
 
-/// The multisampled colour and the depth that a frame of one size needs.
+/// Multisampled colour and depth attachments for frames of one size.
 #[derive(Debug)]
 pub(crate) struct Attachments {
     pub colour: wgpu::TextureView,

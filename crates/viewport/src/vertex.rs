@@ -1,15 +1,15 @@
-//! What the GPU knows of each vertex, and why a drag needs no upload.
+//! Vertex data for the GPU. A drag needs no upload of it.
 //!
-//! An edit moves vertex v by `g_v Δ`. The sum of the cross products around a vertex, its normal before it is scaled to
-//! length 1, is then *exactly* `n_v + t_v × Δ`: a triangle's edges become `e + dg Δ` and `Δ × Δ` vanishes. So the field
-//! `g` and the turn `t` go to the GPU once for each handle, and a tick of a slider is three numbers. With a second
-//! handle (the mirrored one) there is one more term, `c_v Δ_a × Δ_b`.
+//! An edit moves vertex v by `g_v Δ`. The sum of the cross products around the vertex, its unnormalised normal, is then
+//! *exactly* `n_v + t_v × Δ`: a triangle's edges become `e + dg Δ`, and `Δ × Δ` vanishes. So the field `g` and the
+//! derivative `t` are uploaded once per handle, and a slider's tick uploads only the three numbers of Δ. A second,
+//! mirrored handle adds the term `c_v Δ_a × Δ_b`.
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use rosto_mesh::Topology;
 
-/// Position in metres and normal, unscaled, of a vertex.
+/// Position in metres and unnormalised normal of a vertex.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
 pub(crate) struct Geometry {
@@ -19,10 +19,11 @@ pub(crate) struct Geometry {
     pub unused_too: f32,
 }
 
-/// What is everywhere further away than an edit reaches.
+/// Distance beyond any influence radius.
 const FAR: f64 = 1e3;
 
-/// How a vertex and its normal follow two handles, and how far it is from them; by default not at all, and far.
+/// Weights of a vertex and its normal for two handles, and its distance from them. The default is zero weights, far
+/// away.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct InfluenceWeights {
@@ -31,7 +32,7 @@ pub(crate) struct InfluenceWeights {
     pub normal_derivative_b: [f32; 3],
     pub field_b: f32,
     pub cross: f32,
-    /// Distance from the handles, 1 where an edit ends.
+    /// Distance from the handles, as a multiple of the influence radius.
     pub influence_distance: f32,
     pub unused: [f32; 2],
 }
@@ -42,7 +43,7 @@ impl Default for InfluenceWeights {
     }
 }
 
-/// How a vertex is painted: its place in the photo, its scalar in −1..1, its colour (sRGB, 0..1).
+/// Colouring of a vertex: texture coordinates, scalar in −1..1, sRGB colour in 0..1.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
 pub(crate) struct VertexAttributes {
@@ -53,7 +54,7 @@ pub(crate) struct VertexAttributes {
     pub unused_too: f32,
 }
 
-/// Shapes of all vertices.
+/// Positions and normals of all vertices.
 pub(crate) fn geometry(topology: &Topology, positions_m: &[DVec3]) -> Vec<Geometry> {
     let mut normals = vec![DVec3::ZERO; positions_m.len()];
     for corners in topology.triangles() {
@@ -69,9 +70,9 @@ pub(crate) fn geometry(topology: &Topology, positions_m: &[DVec3]) -> Vec<Geomet
     positions_m.iter().zip(&normals).map(shape).collect()
 }
 
-/// How all vertices follow one or two handles with the response fields given, and how far they are from them; a missing field
-/// is zero, and without distances everything is far.
-pub(crate) fn follows(
+/// Influence weights of all vertices for one or two response fields, with their distances. A missing field is zero;
+/// without distances, vertices are far away.
+pub(crate) fn influence_weights(
     topology: &Topology,
     positions_m: &[DVec3],
     fields: [Option<&[f64]>; 2],
@@ -94,7 +95,7 @@ pub(crate) fn follows(
             *cross_sum += cross;
         }
     }
-    let follow = |(vertex, (turn, cross)): (usize, &([DVec3; 2], f64))| InfluenceWeights {
+    let weights = |(vertex, (turn, cross)): (usize, &([DVec3; 2], f64))| InfluenceWeights {
         normal_derivative_a: turn[0].as_vec3().to_array(),
         field_a: value(fields[0], vertex as u32) as f32,
         normal_derivative_b: turn[1].as_vec3().to_array(),
@@ -103,7 +104,7 @@ pub(crate) fn follows(
         influence_distance: influence_distances.map_or(FAR, |distances| distances[vertex]) as f32,
         ..InfluenceWeights::default()
     };
-    turns.iter().enumerate().map(follow).collect()
+    turns.iter().enumerate().map(weights).collect()
 }
 
 #[cfg(test)]
@@ -111,7 +112,7 @@ mod tests {
     use super::*;
     use glam::Vec3;
 
-    /// A bent fan of triangles with no symmetry to hide behind.
+    /// A bent, asymmetric fan of triangles.
     fn fan() -> (Topology, Vec<DVec3>) {
         let triangles = vec![[0, 1, 2], [0, 2, 3], [0, 3, 4], [4, 3, 5]];
         let positions = (0..6)
@@ -124,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn normals_followed_on_the_gpu_are_those_of_the_moved_mesh() {
+    fn normals_from_weights_equal_those_of_the_moved_mesh() {
         let (topology, positions) = fan();
         let fields = [[0.9, 0.4, -0.1, 0.3, 0.05, 0.0], [0.0, 0.1, 0.8, 0.25, 0.4, 0.6]];
         let offsets = [DVec3::new(0.4, -0.7, 0.2), DVec3::new(-0.4, -0.5, 0.9)];
@@ -133,23 +134,23 @@ mod tests {
             .collect();
         let before = geometry(&topology, &positions);
         let after = geometry(&topology, &moved);
-        let follow = follows(&topology, &positions, [Some(&fields[0]), Some(&fields[1])], None);
+        let weights = influence_weights(&topology, &positions, [Some(&fields[0]), Some(&fields[1])], None);
         let [a, b] = offsets.map(|offset| offset.as_vec3());
         for v in 0..positions.len() {
             let normal = Vec3::from(before[v].normal)
-                + Vec3::from(follow[v].normal_derivative_a).cross(a)
-                + Vec3::from(follow[v].normal_derivative_b).cross(b)
-                + a.cross(b) * follow[v].cross;
+                + Vec3::from(weights[v].normal_derivative_a).cross(a)
+                + Vec3::from(weights[v].normal_derivative_b).cross(b)
+                + a.cross(b) * weights[v].cross;
             assert!(normal.distance(after[v].normal.into()) < 2e-6, "vertex {v}: {normal} and {:?}", after[v].normal);
         }
     }
 
     #[test]
-    fn a_missing_field_moves_nothing_and_reaches_nowhere() {
+    fn missing_fields_give_zero_weights() {
         let (topology, positions) = fan();
-        assert_eq!(follows(&topology, &positions, [None, None], None), vec![InfluenceWeights::default(); 6]);
+        assert_eq!(influence_weights(&topology, &positions, [None, None], None), vec![InfluenceWeights::default(); 6]);
         let distances = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0];
-        let near = follows(&topology, &positions, [None, None], Some(&distances));
-        assert!(near.iter().map(|follow| f64::from(follow.influence_distance)).eq(distances));
+        let near = influence_weights(&topology, &positions, [None, None], Some(&distances));
+        assert!(near.iter().map(|weights| f64::from(weights.influence_distance)).eq(distances));
     }
 }

@@ -1,4 +1,4 @@
-//! What shaders read of each vertex, kept in textures: storage buffers are not to be had in WebGL2.
+//! Vertex data in textures, because WebGL2 has no storage buffers.
 
 use std::marker::PhantomData;
 
@@ -7,12 +7,12 @@ use bytemuck::Pod;
 use crate::gpu::texture;
 use crate::{Gpu, ViewportError};
 
-/// Texels in a row; `shaders/mesh.wgsl` says the same.
+/// Texels per row; same value as in `shaders/mesh.wgsl`.
 const ROW: usize = 1024;
-/// Bytes of a texel: four floats.
+/// Bytes per texel: four floats.
 const TEXEL: usize = 16;
 
-/// One `T` for each vertex of a mesh, a whole number of texels long, one after the other and row by row.
+/// One `T` per vertex in consecutive texels, row by row; `T` fills a whole number of texels.
 #[derive(Debug)]
 pub(crate) struct VertexData<T> {
     texture: wgpu::Texture,
@@ -20,12 +20,12 @@ pub(crate) struct VertexData<T> {
 }
 
 impl<T: Pod> VertexData<T> {
-    /// Room for these values, and the values in it.
+    /// Allocates a texture for these values and writes them.
     ///
     /// # Errors
     /// [`ViewportError::TooManyVertices`].
     pub fn new(gpu: &Gpu, values: &[T]) -> Result<Self, ViewportError> {
-        const { assert!(size_of::<T>().is_multiple_of(TEXEL), "a vertex fills whole texels") };
+        const { assert!(size_of::<T>().is_multiple_of(TEXEL), "T must fill whole texels") };
         let rows = size_of_val(values).div_ceil(ROW * TEXEL).max(1);
         if rows > gpu.largest_side_px() as usize {
             return Err(ViewportError::TooManyVertices(values.len()));
@@ -47,7 +47,7 @@ impl<T: Pod> VertexData<T> {
         self.write_rows(gpu, rest, row_count as u32, extent(rest.len() / TEXEL, 1));
     }
 
-    /// What a bind group takes.
+    /// View for a bind group.
     pub fn view(&self) -> wgpu::TextureView {
         self.texture.create_view(&Default::default())
     }
@@ -56,7 +56,7 @@ impl<T: Pod> VertexData<T> {
         if bytes.is_empty() {
             return;
         }
-        let place = wgpu::TexelCopyTextureInfo {
+        let position = wgpu::TexelCopyTextureInfo {
             origin: wgpu::Origin3d { x: 0, y: first_row, z: 0 },
             ..self.texture.as_image_copy()
         };
@@ -65,7 +65,7 @@ impl<T: Pod> VertexData<T> {
             bytes_per_row: Some(size.width * TEXEL as u32),
             rows_per_image: None,
         };
-        gpu.queue.write_texture(place, bytes, layout, size);
+        gpu.queue.write_texture(position, bytes, layout, size);
     }
 }
 

@@ -7,21 +7,21 @@ use crate::error_scopes::ErrorScopes;
 use crate::frame::FrameOnGpu;
 use crate::gpu::texture;
 use crate::mesh::{MeshOnGpu, filled};
-use crate::passes::Drawn;
+use crate::passes::FrameResources;
 use crate::photo_layer::{PhotoLayerInput, PhotoLayerOnGpu};
 use crate::pipelines::Pipelines;
 use crate::snapshot::{Snapshot, copy};
 use crate::target::{Attachments, Canvas, Target};
 use crate::{Gpu, MeshInput, PictureOnGpu, ViewportError, passes, picture};
 
-/// Draws a mesh on a target, as a stage shows it. What is on the GPU is all that it holds: the stage is the caller's.
+/// Draws a mesh as a stage describes it. It holds only GPU resources; the caller owns the stage.
 #[derive(Debug)]
 pub struct Viewport {
     gpu: Gpu,
     target: Target,
     shrink: wgpu::RenderPipeline,
     attachments: Attachments,
-    drawn: Drawn,
+    drawn: FrameResources,
 }
 
 impl Viewport {
@@ -32,7 +32,7 @@ impl Viewport {
         Self {
             shrink: picture::shrink_pipeline(&gpu),
             attachments: Attachments::new(&gpu, target.format, [1, 1]),
-            drawn: Drawn {
+            drawn: FrameResources {
                 frame: FrameOnGpu::new(&gpu, &pipelines),
                 frame_before: FrameOnGpu::new(&gpu, &pipelines),
                 mesh: None,
@@ -46,20 +46,20 @@ impl Viewport {
         }
     }
 
-    /// Resolves when the device is gone, as far as WebGPU tells: a canvas tells of WebGL2's end by an event of its own. The
-    /// future borrows nothing.
+    /// Resolves when the device is lost. WebGPU only: with WebGL2, the canvas fires an event instead. The future
+    /// borrows nothing.
     pub fn lost(&self) -> impl Future<Output = ()> + use<> {
         self.gpu.lost()
     }
 
-    /// The size in device pixels that [`Self::resize`] would give the target: within what the GPU can draw.
+    /// Size in device pixels that [`Self::resize`] would set: the requested one, limited by the GPU.
     pub fn fitting(&self, width_px: u32, height_px: u32) -> [u32; 2] {
         let largest = self.gpu.largest_side_px();
         [width_px, height_px].map(|side| side.clamp(1, largest))
     }
 
-    /// Fits the target to a size in device pixels, within what the GPU can draw, and gives the size that it has then: a
-    /// stage's camera must know it before the next [`Self::draw`].
+    /// Resizes the target to device pixels, limited by the GPU, and returns the new size. Pass it to the stage's camera
+    /// before the next [`Self::draw`].
     pub fn resize(&mut self, width_px: u32, height_px: u32) -> [u32; 2] {
         let size = self.fitting(width_px, height_px);
         if self.attachments.size != size {
@@ -69,39 +69,40 @@ impl Viewport {
         size
     }
 
-    /// Room for an upright picture in the GPU's memory. Its rows are to follow, and then [`Self::finish_picture`].
+    /// Allocates an upright picture in GPU memory. Write its rows, then call [`Self::finish_picture`].
     ///
     /// # Errors
-    /// [`ViewportError::BadPicture`] for one without area, or larger than the GPU takes.
+    /// [`ViewportError::BadPicture`] if the picture is empty or exceeds the GPU's limit.
     pub fn reserve_picture(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
         picture::reserve(&self.gpu, width, height)
     }
 
-    /// Writes whole rows of a picture from its row `first_row` on: sRGB with opaque alpha, four bytes a pixel.
+    /// Writes complete rows of a picture, starting at `first_row`: opaque sRGB, four bytes per pixel.
     ///
     /// # Errors
-    /// [`ViewportError::BadPicture`] for a part of a row, or more rows than the picture has.
+    /// [`ViewportError::BadPicture`] for incomplete rows or rows outside the picture.
     pub fn write_picture_rows(&self, picture: &PictureOnGpu, first_row: u32, rgba: &[u8]) -> Result<(), ViewportError> {
         picture::write_rows(&self.gpu, picture, first_row, rgba)
     }
 
-    /// Makes a picture ready to be seen small, once all its rows are written; for [`MeshInput::picture`].
+    /// Computes the mip levels of a completely written picture, for [`MeshInput::picture`].
     pub fn finish_picture(&self, picture: &PictureOnGpu) {
         picture::finish(&self.gpu, &self.shrink, picture);
     }
 
-    /// A texture for the frames of a camera stream, without mip levels: pixels change sixty times a second. Sizes are in px.
+    /// Allocates a texture for the frames of a camera stream, without mip levels, which would be too expensive per
+    /// frame. Sizes are in px.
     ///
     /// # Errors
-    /// As [`Self::reserve_picture`].
+    /// See [`Self::reserve_picture`].
     pub fn reserve_camera_stream(&self, width: u32, height: u32) -> Result<PictureOnGpu, ViewportError> {
         picture::reserve_levels(&self.gpu, width, height, 1)
     }
 
-    /// The next frame of a camera stream, which is to have its size.
+    /// Writes the next frame of a camera stream.
     ///
     /// # Errors
-    /// [`ViewportError::BadPicture`] for a bitmap of another size, or one that was closed.
+    /// [`ViewportError::BadPicture`] if the bitmap is closed or has another size.
     #[cfg(target_arch = "wasm32")]
     pub fn write_frame(
         &self,
@@ -111,10 +112,10 @@ impl Viewport {
         picture::write_bitmap(&self.gpu, camera_stream, frame)
     }
 
-    /// Shows a mesh in place of the one before. No handle moves it yet: a stage's offsets must be zero until the next
+    /// Replaces the mesh. It has no response fields: set the stage's offsets to zero until the next
     /// [`Self::set_fields`].
     ///
-    /// As with all that changes the mesh, the stage does not notice: [`Stage::request_frame`].
+    /// Changes of the mesh do not request a frame; call [`Stage::request_frame`].
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`] or [`ViewportError::TooManyVertices`].
@@ -124,7 +125,7 @@ impl Viewport {
         Ok(())
     }
 
-    /// Moves the vertices, before what the handles add. Nothing without a mesh.
+    /// Sets the vertex positions, before handles' offsets. No effect without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -132,7 +133,7 @@ impl Viewport {
         self.drawn.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_positions(&self.gpu, positions_m))
     }
 
-    /// Moves each vertex' place in the picture, 0..1 from its top left. Nothing without a mesh.
+    /// Sets the texture coordinates, 0..1 from the picture's top left. No effect without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -140,7 +141,7 @@ impl Viewport {
         self.drawn.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_uvs(&self.gpu, uvs))
     }
 
-    /// Sets the shape that `rosto_stage::RenderSettings::before` blends to. Nothing without a mesh.
+    /// Sets the original shape, to which `rosto_stage::RenderSettings::before` blends. No effect without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -148,8 +149,9 @@ impl Viewport {
         self.drawn.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_before(&self.gpu, positions_m))
     }
 
-    /// Sets how each vertex follows up to two handles, for [`Stage::set_offsets_m`], and how far it is from them: 1 where
-    /// `rosto_stage::RenderSettings::rim` is drawn. Call it after [`Self::set_positions`]. Nothing without a mesh.
+    /// Sets the response fields of up to two handles, for [`Stage::set_offsets_m`], and the distances from them as
+    /// multiples of the influence radius, for `rosto_stage::RenderSettings::rim`. Call it after
+    /// [`Self::set_positions`]. No effect without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -161,7 +163,7 @@ impl Viewport {
         self.drawn.mesh.as_ref().map_or(Ok(()), |mesh| mesh.write_fields(&self.gpu, fields, influence_distances))
     }
 
-    /// Sets the values, −1 to 1, that `rosto_stage::ShadingMode::Distortion` shows. Nothing without a mesh.
+    /// Sets the values, −1 to 1, for `rosto_stage::ShadingMode::Distortion`. No effect without a mesh.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -169,12 +171,12 @@ impl Viewport {
         self.drawn.mesh.as_mut().map_or(Ok(()), |mesh| mesh.write_scalars(&self.gpu, scalars))
     }
 
-    /// Has a picture that was taken of the mesh lie on its plane ([`Stage::set_picture`]), or none.
+    /// Sets or removes the picture drawn in its plane ([`Stage::set_picture`]).
     pub fn show_photo_layer(&mut self, input: Option<&PhotoLayerInput<'_>>) {
         self.drawn.photo_layer = input.map(|input| PhotoLayerOnGpu::new(&self.gpu, &self.drawn.pipelines, input));
     }
 
-    /// Moves the places of the picture that move. Nothing without a picture.
+    /// Moves the points of the photo layer. No effect without one.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -182,7 +184,8 @@ impl Viewport {
         self.drawn.photo_layer.as_mut().map_or(Ok(()), |photo_layer| photo_layer.follow(&self.gpu, to_px))
     }
 
-    /// The same where what moves is elsewhere in each picture, as in those of a camera stream. Nothing without a picture.
+    /// Moves the points of the photo layer and sets new rest positions, as for frames of a camera stream. No effect
+    /// without one.
     ///
     /// # Errors
     /// [`ViewportError::LengthMismatch`].
@@ -190,7 +193,7 @@ impl Viewport {
         self.drawn.photo_layer.as_mut().map_or(Ok(()), |photo_layer| photo_layer.carry(&self.gpu, from_px, to_px))
     }
 
-    /// Draws if anything changed; true asks to be called again in the next frame. `time_ms` is any steady clock's.
+    /// Draws after changes; returns whether to call again in the next frame. `time_ms` is from any monotonic clock.
     ///
     /// # Errors
     /// [`ViewportError::DeviceLost`].
@@ -209,7 +212,7 @@ impl Viewport {
             }
             Canvas::Offscreen => {}
             #[cfg(target_arch = "wasm32")]
-            Canvas::Later => {
+            Canvas::Unavailable => {
                 stage.request_frame();
                 return Ok(true);
             }
@@ -217,11 +220,11 @@ impl Viewport {
         Ok(step.again)
     }
 
-    /// A picture of what a stage shows in any size, as seen now; the canvas does not change. The future borrows nothing.
+    /// Draws the stage in any size and reads the picture back; the canvas does not change. The future borrows nothing.
     ///
     /// # Errors
-    /// [`ViewportError::DeviceLost`] at once; [`ViewportError::OutOfMemory`], [`ViewportError::NotDrawn`] or
-    /// [`ViewportError::NotRead`] later.
+    /// [`ViewportError::DeviceLost`] immediately; the future returns [`ViewportError::OutOfMemory`],
+    /// [`ViewportError::NotDrawn`] or [`ViewportError::NotRead`].
     pub fn snapshot(
         &mut self,
         stage: &Stage,

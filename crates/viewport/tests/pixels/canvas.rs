@@ -7,7 +7,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::support::{SIDE_PX, Sheet, canvas, dome, on, plain, screen};
 
-/// What the canvas itself holds, as the page would copy it; to be called in the same task as the drawing.
+/// Content of the canvas as the page would copy it; call it in the task that draws.
 fn presented(from: &HtmlCanvasElement) -> Vec<u8> {
     let copy = canvas();
     copy.set_width(from.width());
@@ -19,27 +19,27 @@ fn presented(from: &HtmlCanvasElement) -> Vec<u8> {
 }
 
 #[wasm_bindgen_test]
-async fn the_canvas_shows_what_was_drawn_and_follows_its_size() {
+async fn the_canvas_shows_the_drawing_and_can_be_resized() {
     let canvas = canvas();
     let mut screen = on(canvas.clone()).await;
     screen.show(&dome().input());
     *screen.stage.render_settings_mut() = RenderSettings { shading: ShadingMode::Normals, ..RenderSettings::default() };
     assert!(!screen.draw(0.0));
     let pixels = presented(&canvas);
-    let middle = 4 * (SIDE_PX / 2 * SIDE_PX + SIDE_PX / 2) as usize;
-    assert!(pixels[middle + 2] > 240 && pixels[middle].abs_diff(128) < 4, "{:?}", &pixels[middle..middle + 4]);
+    let centre = 4 * (SIDE_PX / 2 * SIDE_PX + SIDE_PX / 2) as usize;
+    assert!(pixels[centre + 2] > 240 && pixels[centre].abs_diff(128) < 4, "{:?}", &pixels[centre..centre + 4]);
     screen.resize(300, 120);
     assert_eq!(screen.stage.camera().size_px(), DVec2::new(300.0, 120.0));
     assert_eq!((canvas.width(), canvas.height()), (300, 120));
     assert!(!screen.draw(16.0));
     let pixels = presented(&canvas);
-    let middle = 4 * (60 * 300 + 150);
-    assert!(pixels[middle + 2] > 240, "{:?}", &pixels[middle..middle + 4]);
+    let centre = 4 * (60 * 300 + 150);
+    assert!(pixels[centre + 2] > 240, "{:?}", &pixels[centre..centre + 4]);
     assert_eq!(&pixels[..3], &[0xf5, 0xf3, 0xef]);
 }
 
 #[wasm_bindgen_test]
-async fn no_canvas_is_larger_than_the_gpu_draws() {
+async fn the_canvas_size_is_limited_by_the_gpu() {
     let canvas = canvas();
     let mut screen = on(canvas.clone()).await;
     let [width, height] = screen.viewport.resize(u32::MAX, 0);
@@ -49,7 +49,7 @@ async fn no_canvas_is_larger_than_the_gpu_draws() {
 }
 
 #[wasm_bindgen_test]
-async fn a_snapshot_has_any_size_and_is_transparent_around_the_mesh() {
+async fn a_snapshot_has_the_requested_size_and_a_transparent_background() {
     let mut screen = screen().await;
     screen.show(&Sheet::new(1, |_, _| 0.0).input());
     *screen.stage.render_settings_mut() = plain();
@@ -57,11 +57,11 @@ async fn a_snapshot_has_any_size_and_is_transparent_around_the_mesh() {
     assert_eq!((still.width, still.height, still.rgba.len()), (333, 150, 4 * 333 * 150));
     assert_eq!(still.pixel(2, 75), [0; 4]);
     assert_eq!(still.pixel(166, 75), [255; 4]);
-    assert_eq!(screen.stage.camera().size_px(), DVec2::splat(f64::from(SIDE_PX)), "the canvas stays as it is");
+    assert_eq!(screen.stage.camera().size_px(), DVec2::splat(f64::from(SIDE_PX)), "the canvas does not change");
 }
 
 #[wasm_bindgen_test]
-async fn a_canvas_that_has_another_context_is_refused() {
+async fn a_canvas_with_another_context_is_refused() {
     let canvas = canvas();
     canvas.get_context("2d").unwrap().unwrap();
     let refused = Target::canvas(canvas).await;

@@ -8,14 +8,14 @@ fn shaded() -> RenderSettings {
     RenderSettings { shading: ShadingMode::Clay, light: Light::default(), ..plain() }
 }
 
-/// A bump around a place, 1 at its middle.
+/// A bump with height 1 at its centre.
 fn bump(sheet: &Sheet, x: f64, y: f64) -> Vec<f64> {
     let at = DVec3::new(x, y, 0.0);
     sheet.positions.iter().map(|p| (-4.0 * (*p - at).truncate().length_squared()).exp()).collect()
 }
 
 #[wasm_bindgen_test]
-async fn following_two_handles_looks_as_if_the_mesh_had_been_uploaded() {
+async fn response_fields_look_like_uploaded_positions() {
     let sheet = dome();
     let mut screen = screen().await;
     screen.show(&sheet.input());
@@ -34,13 +34,13 @@ async fn following_two_handles_looks_as_if_the_mesh_had_been_uploaded() {
     screen.stage.set_offsets_m([DVec3::ZERO; 2]);
     screen.viewport.set_positions(&moved).unwrap();
     let uploaded = picture(&mut screen, shaded()).await;
-    assert!(largest_difference(&rest, &uploaded) > 40, "the edit is to be seen");
+    assert!(largest_difference(&rest, &uploaded) > 40, "the edit is visible");
     let off = followed.rgba.iter().zip(&uploaded.rgba).filter(|(one, other)| one.abs_diff(**other) > 2).count();
     assert!(off <= 16, "{off} channels differ");
 }
 
 #[wasm_bindgen_test]
-async fn before_shows_the_shape_as_it_was() {
+async fn before_shows_the_original_shape() {
     let sheet = dome();
     let mut screen = screen().await;
     screen.show(&sheet.input());
@@ -53,7 +53,7 @@ async fn before_shows_the_shape_as_it_was() {
     assert!(largest_difference(&rest, &before) <= 1);
 }
 
-/// Whether two colours lie over any ground alike, but for a step or two of rounding.
+/// Whether two colours look alike on any background, up to rounding.
 fn is_about(one: [u8; 4], other: [u8; 4]) -> bool {
     let weight = |[red, green, blue, alpha]: [u8; 4]| {
         [red, green, blue]
@@ -65,7 +65,7 @@ fn is_about(one: [u8; 4], other: [u8; 4]) -> bool {
 }
 
 #[wasm_bindgen_test]
-async fn a_wipe_shows_the_shape_before_on_its_left_and_the_one_now_on_its_right() {
+async fn the_comparison_slider_shows_both_shapes() {
     let sheet = dome();
     let mut screen = screen().await;
     screen.show(&sheet.input());
@@ -76,18 +76,18 @@ async fn a_wipe_shows_the_shape_before_on_its_left_and_the_one_now_on_its_right(
     for share in [0.0, 0.3, 0.5, 1.0] {
         let both = picture(&mut screen, RenderSettings { wipe: Some(share), ..shaded() }).await;
         let edge = (share * f64::from(SIDE_PX)).round() as u32;
-        let places = (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y)));
+        let positions = (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y)));
         let expected = |x: u32, y: u32| if x < edge { before.pixel(x, y) } else { now.pixel(x, y) };
-        // On the outline, a sample may be covered in one way of drawing and not in the other.
-        let off = places.filter(|&(x, y)| !is_about(both.pixel(x, y), expected(x, y))).count();
-        assert!(off <= 24, "{off} pixels of a wipe at {share} are of the other shape");
+        // Antialiasing of outlines can differ between the two drawings.
+        let off = positions.filter(|&(x, y)| !is_about(both.pixel(x, y), expected(x, y))).count();
+        assert!(off <= 24, "{off} pixels differ at {share}");
     }
     let apart = before.rgba.iter().zip(&now.rgba).filter(|(one, other)| one.abs_diff(**other) > 8).count();
-    assert!(apart > 4_000, "the shapes look alike: {apart}");
+    assert!(apart > 4_000, "the shapes differ too little: {apart}");
 }
 
 #[wasm_bindgen_test]
-async fn the_rim_is_a_line_where_the_reach_is_1() {
+async fn the_rim_is_a_line_at_the_influence_radius() {
     let sheet = Sheet::new(32, |_, _| 0.0);
     let mut screen = screen().await;
     screen.show(&sheet.input());
@@ -97,9 +97,9 @@ async fn the_rim_is_a_line_where_the_reach_is_1() {
     let with = picture(&mut screen, RenderSettings { rim: Visibility::Shown, ..shaded() }).await;
     let differs = |x: u32, y: u32| with.pixel(x, y) != without.pixel(x, y);
     let m_per_px = screen.stage.camera().m_per_px_at(DVec3::ZERO);
-    let middle = f64::from(SIDE_PX) / 2.0;
+    let centre = f64::from(SIDE_PX) / 2.0;
     for (x, y) in (0..SIDE_PX).flat_map(|y| (0..SIDE_PX).map(move |x| (x, y))) {
-        let away_m = ((f64::from(x) + 0.5 - middle).hypot(f64::from(y) + 0.5 - middle)) * m_per_px;
+        let away_m = ((f64::from(x) + 0.5 - centre).hypot(f64::from(y) + 0.5 - centre)) * m_per_px;
         let off_px = (away_m - 0.5).abs() / m_per_px;
         assert!(off_px < 4.0 || !differs(x, y), "{off_px} px from the rim at {x}, {y}");
         assert!(off_px > 0.4 || differs(x, y), "{off_px} px from the rim at {x}, {y}");
@@ -107,7 +107,7 @@ async fn the_rim_is_a_line_where_the_reach_is_1() {
 }
 
 #[wasm_bindgen_test]
-async fn the_response_glows_where_the_mesh_follows() {
+async fn the_response_is_coloured_where_the_mesh_follows() {
     let sheet = dome();
     let mut screen = screen().await;
     screen.show(&sheet.input());

@@ -1,4 +1,4 @@
-//! What reaches the screen: known meshes drawn in the browser, and their pixels read back.
+//! Rendering tests in the browser: known meshes are drawn and their pixels read back.
 #![cfg(target_arch = "wasm32")]
 #![expect(clippy::unwrap_used, reason = "in a test, a panic is the report")]
 

@@ -4,22 +4,22 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{SIDE_PX, Sheet, assert_close, dome, luminance, picture, plain, screen};
 
-const MIDDLE: u32 = SIDE_PX / 2;
+const CENTRE: u32 = SIDE_PX / 2;
 
 #[wasm_bindgen_test]
-async fn without_a_mesh_there_is_nothing_but_the_ground() {
+async fn without_a_mesh_only_the_background_is_drawn() {
     let mut screen = screen().await;
     let empty = picture(&mut screen, plain()).await;
     assert!(empty.rgba.iter().all(|&channel| channel == 0));
     let light = picture(&mut screen, RenderSettings::default()).await;
-    assert_close(light.pixel(MIDDLE, 0), [0xf5, 0xf3, 0xef]);
-    assert_close(light.pixel(MIDDLE, SIDE_PX - 1), [0xe7, 0xe3, 0xdb]);
+    assert_close(light.pixel(CENTRE, 0), [0xf5, 0xf3, 0xef]);
+    assert_close(light.pixel(CENTRE, SIDE_PX - 1), [0xe7, 0xe3, 0xdb]);
     let dark = picture(&mut screen, RenderSettings { theme: Theme::Dark, ..RenderSettings::default() }).await;
-    assert_close(dark.pixel(MIDDLE, 0), [0x1c, 0x1d, 0x20]);
+    assert_close(dark.pixel(CENTRE, 0), [0x1c, 0x1d, 0x20]);
 }
 
 #[wasm_bindgen_test]
-async fn a_plain_background_is_that_colour_right_up_to_the_mesh() {
+async fn a_plain_background_surrounds_the_mesh() {
     let mut screen = screen().await;
     screen.show(&dome().input());
     let bare = picture(&mut screen, plain()).await;
@@ -40,13 +40,13 @@ async fn a_plain_background_is_that_colour_right_up_to_the_mesh() {
 }
 
 #[wasm_bindgen_test]
-async fn unlit_vertex_colours_are_the_colours_that_went_in() {
+async fn unlit_vertex_colours_are_reproduced_exactly() {
     let sheet = Sheet::new(1, |_, _| 0.0);
     let mut screen = screen().await;
     for colour in [[200, 120, 40], [3, 250, 9], [128, 128, 128], [255, 255, 255], [0, 0, 0]] {
         screen.show(&MeshInput { colours_srgb: &[colour; 4], ..sheet.input() });
         let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, ..plain() }).await;
-        assert_close(seen.pixel(MIDDLE, MIDDLE), colour);
+        assert_close(seen.pixel(CENTRE, CENTRE), colour);
         assert_eq!(seen.pixel(0, 0), [0; 4]);
     }
 }
@@ -58,12 +58,12 @@ async fn vertex_colours_blend_in_linear_light() {
     let colours = [[0, 0, 0], [255, 255, 255], [0, 0, 0], [255, 255, 255]];
     screen.show(&MeshInput { colours_srgb: &colours, ..sheet.input() });
     let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, ..plain() }).await;
-    let [red, ..] = seen.pixel(MIDDLE, MIDDLE);
-    assert!(red.abs_diff(188) <= 2, "half of the light is 188, not {red}");
+    let [red, ..] = seen.pixel(CENTRE, CENTRE);
+    assert!(red.abs_diff(188) <= 2, "expected 188 for half the light, found {red}");
 }
 
 #[wasm_bindgen_test]
-async fn the_photo_lies_where_its_places_say() {
+async fn the_picture_follows_the_texture_coordinates() {
     let sheet = Sheet::new(1, |_, _| 0.0);
     let mut screen = screen().await;
     let side = 64;
@@ -73,7 +73,7 @@ async fn the_photo_lies_where_its_places_say() {
     let photo = on_gpu(&screen.viewport, side as u32, &rgba);
     screen.show(&MeshInput { picture: Some(&photo), ..sheet.input() });
     let seen = picture(&mut screen, plain()).await;
-    let (near, far) = (MIDDLE - 40, MIDDLE + 40);
+    let (near, far) = (CENTRE - 40, CENTRE + 40);
     assert_close(seen.pixel(near, near), [40, 50, 90]);
     assert_close(seen.pixel(far, near), [190, 50, 90]);
     assert_close(seen.pixel(near, far), [40, 210, 90]);
@@ -81,7 +81,7 @@ async fn the_photo_lies_where_its_places_say() {
 }
 
 #[wasm_bindgen_test]
-async fn a_fine_photo_seen_small_is_its_mean_in_linear_light() {
+async fn minification_averages_in_linear_light() {
     let sheet = Sheet::new(1, |_, _| 0.0);
     let mut screen = screen().await;
     let side = 1024;
@@ -90,7 +90,7 @@ async fn a_fine_photo_seen_small_is_its_mean_in_linear_light() {
     let photo = on_gpu(&screen.viewport, side as u32, &rgba);
     screen.show(&MeshInput { picture: Some(&photo), ..sheet.input() });
     let seen = picture(&mut screen, plain()).await;
-    for (x, y) in [(MIDDLE, MIDDLE), (MIDDLE + 31, MIDDLE - 17), (MIDDLE - 40, MIDDLE + 8)] {
+    for (x, y) in [(CENTRE, CENTRE), (CENTRE + 31, CENTRE - 17), (CENTRE - 40, CENTRE + 8)] {
         let [red, ..] = seen.pixel(x, y);
         assert!(red.abs_diff(188) <= 3, "({x}, {y}) is {red}");
     }
@@ -105,23 +105,23 @@ async fn the_side_towards_the_light_is_brighter() {
         light: Light { azimuth_deg, ..Light::default() },
         ..plain()
     };
-    let (left, right) = (MIDDLE - 60, MIDDLE + 60);
+    let (left, right) = (CENTRE - 60, CENTRE + 60);
     let from_left = picture(&mut screen, lit(-60.0)).await;
-    assert!(luminance(from_left.pixel(left, MIDDLE)) > luminance(from_left.pixel(right, MIDDLE)) + 60);
+    assert!(luminance(from_left.pixel(left, CENTRE)) > luminance(from_left.pixel(right, CENTRE)) + 60);
     let from_right = picture(&mut screen, lit(60.0)).await;
-    assert!(luminance(from_right.pixel(right, MIDDLE)) > luminance(from_right.pixel(left, MIDDLE)) + 60);
-    let top = luminance(from_left.pixel(MIDDLE, MIDDLE - 60));
-    assert!(top > luminance(from_left.pixel(MIDDLE, MIDDLE + 60)) + 30, "the usual light comes from above");
+    assert!(luminance(from_right.pixel(right, CENTRE)) > luminance(from_right.pixel(left, CENTRE)) + 60);
+    let top = luminance(from_left.pixel(CENTRE, CENTRE - 60));
+    assert!(top > luminance(from_left.pixel(CENTRE, CENTRE + 60)) + 30, "the default light comes from above");
 }
 
 #[wasm_bindgen_test]
-async fn coloured_light_colours_what_it_falls_on() {
+async fn coloured_light_tints_the_surface() {
     let mut screen = screen().await;
     screen.show(&dome().input());
     let light =
         Light { colour: Srgb([255, 0, 0]), ambient: 0.0, azimuth_deg: 0.0, elevation_deg: 0.0, ..Light::default() };
     let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, light, ..plain() }).await;
-    let [red, green, blue, _] = seen.pixel(MIDDLE, MIDDLE);
+    let [red, green, blue, _] = seen.pixel(CENTRE, CENTRE);
     assert!(red > 200 && green == 0 && blue == 0, "{red} {green} {blue}");
 }
 
@@ -130,39 +130,39 @@ async fn normals_are_shown_as_colours() {
     let mut screen = screen().await;
     screen.show(&dome().input());
     let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Normals, ..plain() }).await;
-    assert_close(seen.pixel(MIDDLE, MIDDLE), [128, 128, 255]);
-    assert!(seen.pixel(MIDDLE + 60, MIDDLE)[0] > 150 && seen.pixel(MIDDLE - 60, MIDDLE)[0] < 106);
-    assert!(seen.pixel(MIDDLE, MIDDLE - 60)[1] > 150 && seen.pixel(MIDDLE, MIDDLE + 60)[1] < 106);
+    assert_close(seen.pixel(CENTRE, CENTRE), [128, 128, 255]);
+    assert!(seen.pixel(CENTRE + 60, CENTRE)[0] > 150 && seen.pixel(CENTRE - 60, CENTRE)[0] < 106);
+    assert!(seen.pixel(CENTRE, CENTRE - 60)[1] > 150 && seen.pixel(CENTRE, CENTRE + 60)[1] < 106);
 }
 
 #[wasm_bindgen_test]
-async fn scalars_run_from_blue_over_neutral_to_red() {
+async fn scalars_map_from_blue_to_red() {
     let sheet = Sheet::new(2, |_, _| 0.0);
     let mut screen = screen().await;
     screen.show(&sheet.input());
     let scalars: Vec<f64> = sheet.positions.iter().map(|position| position.x).collect();
     screen.viewport.set_scalars(&scalars).unwrap();
     let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Distortion, ..plain() }).await;
-    let [red, _, blue, _] = seen.pixel(MIDDLE - 60, MIDDLE + 10);
+    let [red, _, blue, _] = seen.pixel(CENTRE - 60, CENTRE + 10);
     assert!(blue > red + 60, "{red} {blue}");
-    let [red, _, blue, _] = seen.pixel(MIDDLE + 60, MIDDLE + 10);
+    let [red, _, blue, _] = seen.pixel(CENTRE + 60, CENTRE + 10);
     assert!(red > blue + 60, "{red} {blue}");
-    let [red, green, blue, _] = seen.pixel(MIDDLE, MIDDLE + 10);
+    let [red, green, blue, _] = seen.pixel(CENTRE, CENTRE + 10);
     assert!(red.abs_diff(blue) < 14 && green.abs_diff(red) < 14, "{red} {green} {blue}");
 }
 
 #[wasm_bindgen_test]
-async fn the_inside_of_the_mask_is_not_the_photo() {
+async fn back_faces_do_not_show_the_picture() {
     let sheet = Sheet::new(1, |_, _| 0.0);
     let mut screen = screen().await;
     screen.show(&MeshInput { colours_srgb: &[[0, 0, 255]; 4], ..sheet.input() });
     screen.stage.camera_mut().turn(std::f64::consts::PI);
     let seen = picture(&mut screen, RenderSettings { shading: ShadingMode::Colours, ..plain() }).await;
-    let [red, _, blue, alpha] = seen.pixel(MIDDLE, MIDDLE);
+    let [red, _, blue, alpha] = seen.pixel(CENTRE, CENTRE);
     assert!(alpha == 255 && red > blue, "{red} {blue} {alpha}");
 }
 
-/// A square picture, taken in by two parts.
+/// A square picture, written in two parts.
 fn on_gpu(viewport: &Viewport, side: u32, rgba: &[u8]) -> PictureOnGpu {
     let photo = viewport.reserve_picture(side, side).unwrap();
     let first_rows = side / 3;

@@ -5,12 +5,12 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 use crate::support::{SIDE_PX, Screen, assert_close, dome, largest_difference, picture, plain, screen};
 
-/// Side of the picture, in its px.
+/// Side of the picture in px.
 const PICTURE_PX: u32 = 60;
 const RED: [u8; 3] = [200, 30, 20];
 const BLUE: [u8; 3] = [20, 40, 180];
 
-/// Red on its left half, blue on its right one.
+/// Red in the left half, blue in the right half.
 fn halves(screen: &Screen) -> PictureOnGpu {
     let picture = screen.viewport.reserve_picture(PICTURE_PX, PICTURE_PX).unwrap();
     let row = (0..PICTURE_PX).flat_map(|x| {
@@ -23,7 +23,7 @@ fn halves(screen: &Screen) -> PictureOnGpu {
     picture
 }
 
-/// A dome before its picture, whose middle column of places moves.
+/// A dome in front of its picture, whose middle column of points moves.
 async fn with_photo_layer() -> Screen {
     let mut screen = screen().await;
     screen.show(&dome().input());
@@ -40,20 +40,20 @@ async fn with_photo_layer() -> Screen {
     let picture = halves(&screen);
     screen.viewport.show_photo_layer(Some(&PhotoLayerInput {
         size_px: DVec2::splat(f64::from(PICTURE_PX)),
-        from_px: &places(30.0),
+        from_px: &positions(30.0),
         triangles: &[[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]],
         picture: &picture,
     }));
     screen
 }
 
-/// Two rows of three places, from the left edge over a column to the right edge.
-fn places(column: f64) -> Vec<DVec2> {
+/// Two rows of three points: left edge, column, right edge.
+fn positions(column: f64) -> Vec<DVec2> {
     [0.0, f64::from(PICTURE_PX)].iter().flat_map(|&y| [0.0, column, 60.0].map(|x| DVec2::new(x, y))).collect()
 }
 
 #[wasm_bindgen_test]
-async fn the_picture_lies_on_its_plane_as_it_is_and_hides_the_mesh() {
+async fn the_picture_is_drawn_on_its_plane_and_hides_the_mesh() {
     let mut screen = with_photo_layer().await;
     let seen = picture(&mut screen, plain()).await;
     for y in [10, SIDE_PX / 2, SIDE_PX - 10] {
@@ -63,26 +63,26 @@ async fn the_picture_lies_on_its_plane_as_it_is_and_hides_the_mesh() {
 }
 
 #[wasm_bindgen_test]
-async fn what_moves_takes_the_picture_along_and_before_shows_it_as_it_was() {
+async fn the_picture_follows_its_points_and_before_restores_it() {
     let mut screen = with_photo_layer().await;
     let still = picture(&mut screen, plain()).await;
-    screen.viewport.move_photo_layer(&places(45.0)).unwrap();
+    screen.viewport.move_photo_layer(&positions(45.0)).unwrap();
     let moved = picture(&mut screen, plain()).await;
-    let beside = SIDE_PX * 5 / 8;
-    assert_close(still.pixel(beside, SIDE_PX / 2), BLUE);
-    assert_close(moved.pixel(beside, SIDE_PX / 2), RED);
+    let right_of_centre = SIDE_PX * 5 / 8;
+    assert_close(still.pixel(right_of_centre, SIDE_PX / 2), BLUE);
+    assert_close(moved.pixel(right_of_centre, SIDE_PX / 2), RED);
     let before = picture(&mut screen, RenderSettings { before: 1.0, ..plain() }).await;
     assert_eq!(largest_difference(&still, &before), 0);
-    assert!(screen.viewport.move_photo_layer(&[]).is_err(), "a place for each");
+    assert!(screen.viewport.move_photo_layer(&[]).is_err(), "wrong number of points");
 }
 
 #[wasm_bindgen_test]
-async fn off_the_stage_the_picture_is_gone() {
+async fn the_solid_scene_hides_the_picture() {
     let mut screen = with_photo_layer().await;
     screen.stage.show(Scene::Solid);
     screen.stage.settle_picture();
     screen.stage.advance(16.0);
     let seen = picture(&mut screen, plain()).await;
     assert_eq!(seen.pixel(1, 1), [0; 4]);
-    assert_eq!(seen.pixel(SIDE_PX / 2, SIDE_PX / 2)[3], 255, "the mesh is there");
+    assert_eq!(seen.pixel(SIDE_PX / 2, SIDE_PX / 2)[3], 255, "the mesh is visible");
 }

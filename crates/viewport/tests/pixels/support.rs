@@ -5,10 +5,10 @@ use rosto_viewport::{MeshInput, Snapshot, Target, Viewport};
 use wasm_bindgen::JsCast;
 use web_sys::HtmlCanvasElement;
 
-/// Side of every picture that the tests take, in px.
+/// Side of the tests' pictures, in px.
 pub const SIDE_PX: u32 = 240;
 
-/// A canvas in the page.
+/// A canvas in the document.
 pub fn canvas() -> HtmlCanvasElement {
     let document = web_sys::window().unwrap().document().unwrap();
     let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
@@ -16,7 +16,7 @@ pub fn canvas() -> HtmlCanvasElement {
     canvas
 }
 
-/// A viewport and what it shows.
+/// A viewport and its stage.
 pub struct Screen {
     pub viewport: Viewport,
     pub stage: Stage,
@@ -33,13 +33,13 @@ impl Screen {
         self.stage.request_frame();
     }
 
-    /// Draws if anything changed; true asks for another frame.
+    /// Draws after changes; returns whether another frame is needed.
     pub fn draw(&mut self, time_ms: f64) -> bool {
         self.viewport.draw(&mut self.stage, time_ms).unwrap()
     }
 }
 
-/// A viewport on a canvas of its own, and a stage that frames a unit square from the front.
+/// A viewport on a new canvas, with a stage that frames a unit square from the front.
 pub async fn screen() -> Screen {
     on(canvas()).await
 }
@@ -57,7 +57,7 @@ fn corners() -> [DVec3; 4] {
     [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0))
 }
 
-/// A grid of squares from (−1, −1) to (1, 1), raised to `height(x, y)`; its texture coordinates span the whole picture.
+/// A grid over (−1, −1) to (1, 1) with the given height; its texture coordinates span the picture.
 pub struct Sheet {
     pub topology: Topology,
     pub positions: Vec<DVec3>,
@@ -67,19 +67,20 @@ pub struct Sheet {
 impl Sheet {
     pub fn new(cells: u32, height: impl Fn(f64, f64) -> f64) -> Self {
         let side = cells + 1;
-        let places = (0..side * side).map(|i| DVec2::new(f64::from(i % side), f64::from(i / side)) / f64::from(cells));
+        let positions =
+            (0..side * side).map(|i| DVec2::new(f64::from(i % side), f64::from(i / side)) / f64::from(cells));
         let triangles = (0..cells * cells).flat_map(|cell| {
             let at = cell / cells * side + cell % cells;
             [[at, at + 1, at + side + 1], [at, at + side + 1, at + side]]
         });
-        let positions = places.clone().map(|place| {
-            let place = place * 2.0 - DVec2::ONE;
-            place.extend(height(place.x, place.y))
+        let positions = positions.clone().map(|position| {
+            let position = position * 2.0 - DVec2::ONE;
+            position.extend(height(position.x, position.y))
         });
         Self {
             topology: Topology::new((side * side) as usize, triangles.collect()).unwrap(),
             positions: positions.collect(),
-            uvs: places.map(|place| DVec2::new(place.x, 1.0 - place.y)).collect(),
+            uvs: positions.map(|position| DVec2::new(position.x, 1.0 - position.y)).collect(),
         }
     }
 
@@ -99,13 +100,13 @@ pub fn dome() -> Sheet {
     Sheet::new(16, |x, y| 0.9 * (1.0 - 0.5 * (x * x + y * y)))
 }
 
-/// Shows a mesh under a look and reads the picture back.
+/// Draws with these settings and reads the picture back.
 pub async fn picture(screen: &mut Screen, settings: RenderSettings) -> Snapshot {
     *screen.stage.render_settings_mut() = settings;
     screen.viewport.snapshot(&screen.stage, [SIDE_PX, SIDE_PX], settings.background).unwrap().await.unwrap()
 }
 
-/// A look with nothing but the mesh, unshaded.
+/// Settings for an unshaded mesh without anything else.
 pub fn plain() -> RenderSettings {
     RenderSettings {
         background: Background::Transparent,
@@ -115,7 +116,7 @@ pub fn plain() -> RenderSettings {
     }
 }
 
-/// The largest difference of any channel of any pixel.
+/// Largest difference in any channel of any pixel.
 pub fn largest_difference(one: &Snapshot, other: &Snapshot) -> u8 {
     one.rgba.iter().zip(&other.rgba).map(|(one, other)| one.abs_diff(*other)).max().unwrap()
 }
@@ -124,9 +125,9 @@ pub fn luminance(pixel: [u8; 4]) -> u32 {
     pixel[..3].iter().map(|&channel| u32::from(channel)).sum()
 }
 
-/// Asserts that a colour is another one, give or take a step of rounding.
+/// Asserts that a colour equals another, up to rounding.
 #[track_caller]
 pub fn assert_close(found: [u8; 4], expected: [u8; 3]) {
     let off = found.iter().zip(expected).map(|(found, expected)| found.abs_diff(expected)).max().unwrap();
-    assert!(off <= 1 && found[3] == 255, "{found:?} is not {expected:?}");
+    assert!(off <= 1 && found[3] == 255, "found {found:?}, expected {expected:?}");
 }
