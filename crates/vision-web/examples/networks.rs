@@ -1,11 +1,11 @@
-//! The networks by themselves, for `tests/bench/browser.mjs`, which compares them with onnxruntime-web.
+//! The bare networks, for `tests/bench/browser.mjs`, which compares them with onnxruntime-web.
 
 use std::hint::black_box;
 
 use rosto_landmarks::Network;
 use wasm_bindgen::prelude::*;
 
-/// Both networks, ready to run.
+/// Both networks, loaded.
 #[wasm_bindgen]
 pub struct Networks {
     detector: Network,
@@ -14,7 +14,7 @@ pub struct Networks {
 
 #[wasm_bindgen]
 impl Networks {
-    /// From their ONNX files.
+    /// Loads the networks from their ONNX files.
     #[wasm_bindgen(constructor)]
     pub fn new(detector: &[u8], landmarks: &[u8]) -> Result<Networks, JsError> {
         Ok(Self {

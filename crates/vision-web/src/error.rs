@@ -1,10 +1,10 @@
-//! Errors as the page sees them: a JavaScript `Error` with a stable `code` and a `hint`.
+//! Errors for JavaScript: `Error` objects with a stable `code` and a `hint`.
 
 use js_sys::{Error, Reflect};
 use rosto_landmarks::LandmarksError;
 use rosto_photo::PhotoError;
 
-/// What went wrong with the photo.
+/// Converts an error of the photo.
 pub(crate) fn of_photo(error: PhotoError) -> Error {
     let code = match error {
         PhotoError::NotAPicture => "not-a-picture",
@@ -17,17 +17,17 @@ pub(crate) fn of_photo(error: PhotoError) -> Error {
     thrown(code, &error.to_string(), error.hint())
 }
 
-/// What went wrong with the networks.
+/// Converts an error of the networks.
 pub(crate) fn of_landmarks(error: LandmarksError) -> Error {
     match error {
         LandmarksError::NetworkDamaged { .. } => {
-            thrown("networks-damaged", &error.to_string(), "Reload the page: a file arrived damaged.")
+            thrown("networks-damaged", &error.to_string(), "Reload the page; a file was damaged in transfer.")
         }
-        _ => thrown("internal", &error.to_string(), "Try another photo, and tell us about this one."),
+        _ => thrown("internal", &error.to_string(), "Try another photo, and please report this one."),
     }
 }
 
-/// What should not be.
+/// An internal error.
 pub(crate) fn internal(message: &str) -> Error {
     thrown("internal", message, "Reload the page.")
 }

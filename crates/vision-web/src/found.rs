@@ -2,7 +2,7 @@ use rosto_landmarks::{Face, LANDMARK_COUNT};
 use rosto_photo::Photo;
 use wasm_bindgen::prelude::*;
 
-/// What was found in a photo. `free()` it when everything has been taken out.
+/// Faces found in a photo. Call `free()` after reading the results.
 #[wasm_bindgen]
 pub struct Found {
     width: u32,
@@ -20,7 +20,7 @@ struct FoundFace {
     colours: Vec<u8>,
 }
 
-/// Longest side of the picture that is handed on as a texture, in px; what every WebGPU device can hold is 8192.
+/// Maximum side of the texture in px. Devices support at least 2048 px.
 const MAX_PICTURE_SIDE_PX: u32 = 2048;
 
 impl Found {
@@ -43,7 +43,7 @@ impl Found {
 }
 
 impl FoundFace {
-    /// Colours are taken at full resolution.
+    /// Reads the colours at full resolution.
     fn new(photo: &Photo, face: &Face) -> Self {
         let colour = |&[x, y, _]: &[f32; 3]| photo.colour_under(x.into(), y.into());
         Self {
@@ -68,30 +68,30 @@ impl Found {
         self.height
     }
 
-    /// Focal length of the photo's lens in mm, for a frame of 36 × 24 mm, if its EXIF says so.
+    /// 35 mm equivalent focal length in mm, if the EXIF data has it.
     #[wasm_bindgen(getter, js_name = focalLength35mm)]
     pub fn focal_length_35mm(&self) -> Option<f64> {
         self.focal_length_35mm
     }
 
-    /// Number of faces; 0 is an answer.
+    /// Number of faces, which can be 0.
     #[wasm_bindgen(getter, js_name = faceCount)]
     pub fn face_count(&self) -> u32 {
         self.faces.len() as u32
     }
 
-    /// Whether people should be told that this may not be a face; true for a face that is not there.
+    /// Whether the detection may not be a face; true for an invalid index.
     #[wasm_bindgen(js_name = isDoubtful)]
     pub fn is_doubtful(&self, face: u32) -> bool {
         self.face(face).is_none_or(|face| face.is_doubtful)
     }
 
-    /// 478 × (x/W, y/H, z/W), those of the irises last; empty for a face that is not there.
+    /// 478 × (x/W, y/H, z/W), irises last; empty for an invalid index.
     pub fn landmarks(&self, face: u32) -> Vec<f32> {
         self.face(face).map_or_else(Vec::new, |face| face.landmarks.clone())
     }
 
-    /// 468 × (red, green, blue) under the landmarks, sRGB; empty for a face that is not there.
+    /// 468 × (red, green, blue) at the landmarks, sRGB; empty for an invalid index.
     pub fn colours(&self, face: u32) -> Vec<u8> {
         self.face(face).map_or_else(Vec::new, |face| face.colours.clone())
     }
@@ -108,7 +108,7 @@ impl Found {
         self.picture_height
     }
 
-    /// The upright photo, scaled down to 2048 px at most, as opaque RGBA; empty the second time.
+    /// The upright photo, scaled down to at most 2048 px, as opaque RGBA. The second call returns an empty array.
     #[wasm_bindgen(js_name = takePicture)]
     pub fn take_picture(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.picture)

@@ -1,7 +1,7 @@
-//! The worker's façade: a photo's bytes in, faces and an upright picture out.
+//! Façade of the worker: takes a photo's bytes and returns faces and an upright picture.
 //!
-//! Everything that goes wrong is thrown as an `Error` with a stable `code` and a `hint` beside its `message`. A panic
-//! is a bug and traps: the page then ends the worker and starts another.
+//! Errors are thrown as `Error` with a stable `code`, a `hint` and a `message`. A panic is a bug and traps; the page
+//! then restarts the worker.
 
 mod error;
 mod found;

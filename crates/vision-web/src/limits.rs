@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error;
 
-/// Refuses a photo's file by its length in bytes, before it is read.
+/// Checks a photo's file size in bytes before it is read.
 ///
 /// # Errors
 /// Throws `too-many-bytes`.
@@ -13,7 +13,7 @@ pub fn check_length(bytes: f64) -> Result<(), Error> {
     Limits::default().check_length(bytes as u64).map_err(error::of_photo)
 }
 
-/// Refuses a photo by its size in px.
+/// Checks a photo's size in px.
 ///
 /// # Errors
 /// Throws `too-many-pixels`.

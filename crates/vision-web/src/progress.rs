@@ -2,7 +2,7 @@ use js_sys::Function;
 use rosto_landmarks::Stage;
 use wasm_bindgen::JsValue;
 
-/// What is about to be done.
+/// Step that is about to start.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Step {
     Decoding,
@@ -10,7 +10,7 @@ pub(crate) enum Step {
     Finishing,
 }
 
-/// Tells the page how far the work has come.
+/// Reports progress to the page.
 pub(crate) struct Progress<'a> {
     report: &'a Function,
 }
@@ -20,14 +20,14 @@ impl<'a> Progress<'a> {
         Self { report }
     }
 
-    /// What the page does with the news, even throwing, is no concern of the work.
-    pub(crate) fn tell(&self, step: Step) {
+    /// Errors of the callback are ignored.
+    pub(crate) fn report(&self, step: Step) {
         let (stage, fraction) = stage_and_fraction_of_all(step);
         let _ = self.report.call2(&JsValue::NULL, &stage.into(), &fraction.into());
     }
 }
 
-/// The page's name of the stage, and how much of the whole is done by then, 0 to 1. Each stage is taken to be a third.
+/// Name of the stage for the page, and the overall fraction done, 0 to 1. Each stage counts as a third.
 fn stage_and_fraction_of_all(step: Step) -> (&'static str, f64) {
     const MESHED: f64 = 0.8;
     let (stage, before, fraction) = match step {
@@ -47,14 +47,14 @@ mod tests {
     wasm_bindgen_test_configure!(run_in_browser);
 
     #[wasm_bindgen_test]
-    fn the_bar_never_jumps_by_more_than_a_third_nor_falls_back() {
+    fn progress_is_monotonic_in_steps_of_at_most_a_third() {
         for of in 0..5 {
             let detecting = [0.0, 0.5, 1.0].map(|share| Step::Finding(Stage::Detecting { share }));
             let meshing = (0..of).map(|face| Step::Finding(Stage::Meshing { face, of }));
             let mut steps = vec![Step::Decoding];
             steps.extend(detecting.into_iter().chain(meshing).chain([Step::Finishing]));
             let bars: Vec<f64> = steps.into_iter().map(|step| stage_and_fraction_of_all(step).1).collect();
-            assert_eq!(bars[..2], [0.0, 1.0 / 3.0], "a bar at half before the detector has looked");
+            assert_eq!(bars[..2], [0.0, 1.0 / 3.0], "first two fractions");
             let last = if of == 0 { 4 } else { bars.len() };
             assert!(bars[..last].windows(2).all(|two| (0.0..0.334).contains(&(two[1] - two[0]))), "{bars:?}");
             assert!(bars.is_sorted() && bars.iter().all(|bar| (0.0..1.0).contains(bar)), "{bars:?}");

@@ -7,7 +7,7 @@ use crate::error;
 use crate::found::Found;
 use crate::progress::{Progress, Step};
 
-/// Finds faces in photos, and follows one in a film. Made once; holds the networks.
+/// Finds faces in photos and follows one face in a camera stream. Holds the networks; create it once.
 #[wasm_bindgen]
 pub struct Vision {
     finder: FaceFinder,
@@ -16,7 +16,7 @@ pub struct Vision {
 
 #[wasm_bindgen]
 impl Vision {
-    /// Prepares the detector and the landmark network with attention from their ONNX files.
+    /// Loads the detector and the landmark network with attention from their ONNX files.
     ///
     /// # Errors
     /// Throws `networks-damaged`.
@@ -29,12 +29,13 @@ impl Vision {
         })
     }
 
-    /// Looks for at most `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), the most prominent first.
-    /// `report` is told each stage as it begins and how much of the whole is done, 0 to 1. Where the browser has decoded the photo to `bytes`, its `original` file (HEIC, AVIF) still tells the lens.
+    /// Finds up to `max_faces` faces in a photo (the bytes of a JPEG, PNG or WebP file), the most prominent first.
+    /// Calls `report` at the start of each stage with the overall fraction done, 0 to 1. If the browser has converted
+    /// the photo, `original` is the file (HEIC, AVIF) from which the lens data is read.
     ///
     /// # Errors
     /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels`,
-    /// `networks-damaged` or `internal`. No face is an answer, not an error.
+    /// `networks-damaged` or `internal`. A photo without a face is not an error.
     pub fn find(
         &self,
         bytes: &[u8],
@@ -46,7 +47,7 @@ impl Vision {
         original: Option<Box<[u8]>>,
     ) -> Result<Found, Error> {
         let progress = Progress::new(report);
-        progress.tell(Step::Decoding);
+        progress.report(Step::Decoding);
         let decoded = decode(bytes, &Limits::default()).map_err(error::of_photo)?;
         let photo = match original {
             Some(original) => decoded.with_lens_of(&original),
@@ -55,17 +56,18 @@ impl Vision {
         let options = FindOptions { max_faces: max_faces as usize, ..FindOptions::default() };
         let found = self
             .finder
-            .find_with_progress(&photo, &options, |stage| progress.tell(Step::Finding(stage)))
+            .find_with_progress(&photo, &options, |stage| progress.report(Step::Finding(stage)))
             .map_err(error::of_landmarks)?;
-        progress.tell(Step::Finishing);
+        progress.report(Step::Finishing);
         Ok(Found::new(&photo, &found.faces))
     }
-    /// Follows a face into the next frame of a film: its 478 × (x/W, y/H, z/W), smoothed over time, or nothing where there is
-    /// no face. `rgba` is the frame row by row, its fourth bytes passed over; `time_ms` says when it was taken, from any
-    /// beginning.
+
+    /// Follows a face into the next frame of a camera stream. Returns its 478 × (x/W, y/H, z/W), smoothed over time, or
+    /// `undefined` without a face. `rgba` is the frame row by row; alpha is ignored. `time_ms` is the frame's time, from
+    /// any origin.
     ///
     /// # Errors
-    /// Throws `damaged-picture` if there are not four bytes for each pixel, `networks-damaged` or `internal`.
+    /// Throws `damaged-picture` if there are not four bytes per pixel, `networks-damaged` or `internal`.
     pub fn follow(
         &mut self,
         rgba: &[u8],
@@ -78,7 +80,7 @@ impl Vision {
         Ok(face.map(|face| face.landmarks.concat()))
     }
 
-    /// Forgets the face that is followed: the next frame belongs to another film.
+    /// Forgets the followed face, before another camera stream.
     #[wasm_bindgen(js_name = stopFollowing)]
     pub fn stop_following(&mut self) {
         self.follower = Follower::default();

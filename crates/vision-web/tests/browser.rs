@@ -1,4 +1,4 @@
-//! The worker's module in a real browser: inference on the portrait, and what it throws.
+//! Tests of the worker's module in a browser: inference on the portrait, and thrown errors.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(target_arch = "wasm32")]
@@ -11,7 +11,7 @@ use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
 wasm_bindgen_test_configure!(run_in_dedicated_worker);
 
-// `cargo xtask setup` puts these three there.
+// Downloaded by `cargo xtask setup`.
 const DETECTOR: &[u8] = include_bytes!("../../../web/assets/face_detector.onnx");
 const LANDMARKS: &[u8] = include_bytes!("../../../web/assets/face_landmarks_attention.onnx");
 const PORTRAIT: &[u8] = include_bytes!("../../../web/assets/sample.png");
@@ -25,13 +25,13 @@ fn find(bytes: &[u8]) -> Result<Found, Error> {
     vision().find(bytes, 1, &Function::new_no_args(""), None)
 }
 
-/// What a thrown error says under a name.
+/// A property of a thrown error.
 fn property(error: &Error, name: &str) -> String {
     Reflect::get(error, &name.into()).unwrap().as_string().unwrap()
 }
 
 #[wasm_bindgen_test]
-fn the_portraits_landmarks_and_irises_are_near_to_mediapipes() {
+fn landmarks_and_irises_of_the_portrait_are_close_to_mediapipe() {
     let found = find(PORTRAIT).unwrap();
     assert_eq!((found.width(), found.height(), found.face_count()), (512, 512, 1));
     let golden: Value = serde_json::from_str(GOLDEN).unwrap();
@@ -40,13 +40,13 @@ fn the_portraits_landmarks_and_irises_are_near_to_mediapipes() {
     assert_eq!(landmarks.len(), 478 * 3);
     let off_px: f64 =
         landmarks.iter().zip(expected_px).map(|(&found, expected)| (f64::from(found) * 512.0 - expected).abs()).sum();
-    // Further passes move what one pass gives, which is MediaPipe's.
-    assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in all");
+    // Additional passes refine MediaPipe's single pass slightly.
+    assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in total");
     assert!(!found.is_doubtful(0) && found.is_doubtful(1));
 }
 
 #[wasm_bindgen_test]
-fn colours_are_those_of_the_pixels_under_the_landmarks() {
+fn colours_are_those_of_the_pixels_at_the_landmarks() {
     let mut found = find(PORTRAIT).unwrap();
     let (landmarks, colours) = (found.landmarks(0), found.colours(0));
     let picture = found.take_picture();
@@ -60,16 +60,16 @@ fn colours_are_those_of_the_pixels_under_the_landmarks() {
 }
 
 #[wasm_bindgen_test]
-fn progress_names_the_stages_in_order_and_never_falls_back() {
-    let heard = Array::new();
-    let hear = {
-        let heard = heard.clone();
+fn progress_reports_the_stages_in_order() {
+    let received = Array::new();
+    let on_progress = {
+        let received = received.clone();
         Closure::<dyn Fn(String, f64)>::new(move |stage: String, fraction: f64| {
-            heard.push(&Array::of2(&stage.into(), &fraction.into()));
+            received.push(&Array::of2(&stage.into(), &fraction.into()));
         })
     };
-    vision().find(PORTRAIT, 1, hear.as_ref().unchecked_ref(), None).unwrap();
-    let reports: Vec<(String, f64)> = heard.iter().map(|report| stage_and_fraction(&report.into())).collect();
+    vision().find(PORTRAIT, 1, on_progress.as_ref().unchecked_ref(), None).unwrap();
+    let reports: Vec<(String, f64)> = received.iter().map(|report| stage_and_fraction(&report.into())).collect();
     let bars: Vec<f64> = reports.iter().map(|(_, fraction)| *fraction).collect();
     let mut stages: Vec<&str> = reports.iter().map(|(stage, _)| stage.as_str()).collect();
     stages.dedup();
@@ -81,26 +81,26 @@ fn stage_and_fraction(report: &Array) -> (String, f64) {
     (report.get(0).as_string().unwrap(), report.get(1).as_f64().unwrap())
 }
 
-/// The portrait as a browser hands it over, with its size.
+/// The portrait's pixels as a browser delivers them, and its size.
 fn frame() -> (Vec<u8>, u32, u32) {
     let mut found = find(PORTRAIT).unwrap();
     (found.take_picture(), found.picture_width(), found.picture_height())
 }
 
 #[wasm_bindgen_test]
-fn a_face_is_followed_where_a_photo_of_it_has_it() {
+fn a_followed_face_matches_the_one_found() {
     let (rgba, width, height) = frame();
     let (photo, mut vision) = (find(PORTRAIT).unwrap().landmarks(0), vision());
     for time_ms in [0.0, 33.0, 66.0] {
         let landmarks = vision.follow(&rgba, width, height, time_ms).unwrap().unwrap();
         assert_eq!(landmarks.len(), 478 * 3);
         let off_px: f32 = landmarks.iter().zip(&photo).map(|(a, b)| (a - b).abs() * 512.0).sum();
-        assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in all at {time_ms} ms");
+        assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in total at {time_ms} ms");
     }
 }
 
 #[wasm_bindgen_test]
-fn nobody_is_followed_where_nobody_is_and_another_film_begins_anew() {
+fn following_needs_a_face_and_can_be_reset() {
     let (rgba, width, height) = frame();
     let mut vision = vision();
     assert_eq!(vision.follow(&vec![90; rgba.len()], width, height, 0.0).unwrap(), None);
@@ -111,13 +111,13 @@ fn nobody_is_followed_where_nobody_is_and_another_film_begins_anew() {
 }
 
 #[wasm_bindgen_test]
-fn a_frame_that_is_cut_off_is_thrown() {
+fn a_truncated_frame_throws() {
     let error = vision().follow(&[0; 15], 2, 2, 0.0).err().unwrap();
     assert_eq!(property(&error, "code"), "damaged-picture");
 }
 
 #[wasm_bindgen_test]
-fn what_is_no_picture_is_thrown_with_a_code_a_message_and_a_hint() {
+fn errors_have_a_code_a_message_and_a_hint() {
     let error = find(b"only words").err().unwrap();
     assert!(error.is_instance_of::<Error>());
     assert_eq!(property(&error, "code"), "not-a-picture");
@@ -126,7 +126,7 @@ fn what_is_no_picture_is_thrown_with_a_code_a_message_and_a_hint() {
 }
 
 #[wasm_bindgen_test]
-fn a_broken_picture_a_huge_one_and_a_foreign_one_have_their_own_codes() {
+fn errors_of_photos_have_distinct_codes() {
     let mut huge = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
     huge.extend([0, 0, 0x4E, 0x20, 0, 0, 0x4E, 0x20, 8, 2, 0, 0, 0]);
     let cases: [(&[u8], &str); 3] = [
@@ -140,9 +140,9 @@ fn a_broken_picture_a_huge_one_and_a_foreign_one_have_their_own_codes() {
 }
 
 #[wasm_bindgen_test]
-fn damaged_networks_are_thrown() {
+fn damaged_networks_throw() {
     let mut infinite = LANDMARKS.to_vec();
-    // Half-precision numbers whose exponent is all ones.
+    // Half-precision infinities and NaNs: all exponent bits set.
     for at in (LANDMARKS.len() / 2..LANDMARKS.len() / 2 + 400).step_by(2) {
         infinite[at..at + 2].fill(0x7C);
     }
