@@ -1,5 +1,5 @@
 // The first minute on the page, with a mouse and with animations.
-import { STATES, withHeldWork } from "../../tests/e2e/states.mjs";
+import { STATES, allowDelayedReplies } from "../../tests/e2e/states.mjs";
 import { Visitor } from "../../tests/e2e/visitor.mjs";
 import { writeSheet } from "./sheet.mjs";
 
@@ -25,10 +25,10 @@ const STEPS = [
 
 /** @param {import("@playwright/test").Browser} browser @param {string} file @param {string} url */
 export async function drawFirstMinute(browser, file, url) {
-  const visitor = await Visitor.arrive(browser, url, {
+  const visitor = await Visitor.open(browser, url, {
     viewport: WINDOW, reducedMotion: "no-preference", colorScheme: "light",
     before: async (context) => {
-      await withHeldWork(context);
+      await allowDelayedReplies(context);
       await context.addInitScript(holdFrames);
     },
   });
@@ -38,7 +38,7 @@ export async function drawFirstMinute(browser, file, url) {
     const pointer = at && { left: at.x / WINDOW.width, top: at.y / WINDOW.height };
     cells.push({ picture: await visitor.page.screenshot(), caption: `${cells.length + 1}. ${caption}`, pointer });
   }
-  visitor.checkNothingBroke();
+  visitor.assertNoErrors();
   await visitor.leave();
   await writeSheet(browser, file, cells, { columns: 3, width: 640 });
 }
@@ -107,7 +107,7 @@ async function findNose(visitor) {
 /** @param {Visitor} visitor */
 async function turn(visitor) {
   await visitor.page.mouse.up();
-  const from = await visitor.besideTheFace();
+  const from = await visitor.emptyPoint();
   return hold(visitor, from, { x: from.x + 130, y: from.y + 10 });
 }
 

@@ -38,31 +38,31 @@ export const SCREENSHOTS = {
 /** @param {Browser} browser @param {string} file named as one of {@link SCREENSHOTS} @param {string} url */
 export async function takeScreenshot(browser, file, url) {
   const { name } = path.parse(file);
-  const visitor = await Visitor.arrive(browser, url, { ...DESKTOP, colorScheme: name.endsWith("-dark") ? "dark" : "light" });
+  const visitor = await Visitor.open(browser, url, { ...DESKTOP, colorScheme: name.endsWith("-dark") ? "dark" : "light" });
   await visitor.untilLoaded();
   await SCREENSHOTS[name](visitor);
   await visitor.page.evaluate(() => document.activeElement?.blur());
   await visitor.frames(5);
   await visitor.page.screenshot({ path: file });
-  visitor.checkNothingBroke();
+  visitor.assertNoErrors();
   await visitor.leave();
 }
 
 /** The sample portrait with three edits in the photo, before and after. @param {Browser} browser @param {string} file @param {string} url */
 export async function drawInPhoto(browser, file, url) {
-  const visitor = await Visitor.arrive(browser, url);
+  const visitor = await Visitor.open(browser, url);
   await visitor.drop(await asJpeg(visitor.page, await readFile(SAMPLE), ENLARGED), "portrait.jpg");
   await visitor.untilFace();
   const photo = async () => cut(await visitor.download("download-photo-png"), HEAD);
   const before = { picture: await photo(), caption: "Before" };
   const after = [];
   for (const [caption, sliders] of EDITS) {
-    for (const [slider, amount_mm] of Object.entries(sliders)) await visitor.slide(slider, amount_mm);
+    for (const [slider, amount_mm] of Object.entries(sliders)) await visitor.setSlider(slider, amount_mm);
     after.push({ picture: await photo(), caption });
     await visitor.unfold("section-history");
     await visitor.page.click("#section-history [data-action='reset']");
   }
-  visitor.checkNothingBroke();
+  visitor.assertNoErrors();
   await visitor.leave();
   await writeSheet(browser, file, [...after.map(() => before), ...after], { columns: after.length, width: 420 });
 }
@@ -82,8 +82,8 @@ async function measure(visitor) {
 async function edit(visitor) {
   await visitor.dropSample();
   await visitor.findLandmark("nose tip");
-  await visitor.offset("z", 8);
-  await visitor.offset("y", -3);
+  await visitor.setOffset("z", 8);
+  await visitor.setOffset("y", -3);
 }
 
 /**
@@ -92,16 +92,16 @@ async function edit(visitor) {
  */
 async function paint(visitor, name) {
   await edit(visitor);
-  await visitor.reach(`#shading [value="${name}"]`);
+  await visitor.reveal(`#shading [value="${name}"]`);
   await visitor.page.check(`input[name="shading"][value="${name}"]`, { force: true });
 }
 
 /** @param {Visitor} visitor */
 async function shape(visitor) {
   await visitor.dropSample();
-  await visitor.slide("nose-width", -2);
-  await visitor.slide("eye-size", 1.5);
-  await visitor.slide("jaw-width", -4);
+  await visitor.setSlider("nose-width", -2);
+  await visitor.setSlider("eye-size", 1.5);
+  await visitor.setSlider("jaw-width", -4);
   await foldAllBut(visitor, ["section-face", "section-history"]);
 }
 
@@ -118,7 +118,7 @@ async function paper(visitor) {
 /** @param {Visitor} visitor */
 async function clay(visitor) {
   await visitor.dropSample();
-  await visitor.reach("#density");
+  await visitor.reveal("#density");
   await visitor.page.selectOption("#density", "3");
   await visitor.page.check("input[name='shading'][value='clay']", { force: true });
   await visitor.page.focus("#viewport");

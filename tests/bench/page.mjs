@@ -104,7 +104,7 @@ export async function video() {
   const programs = { [ROSTO]: await followRosto(), [FACE_MESH]: await followMediaPipe() };
   const seen = Object.fromEntries(Object.keys(programs).map((peer) => [peer, []]));
   for (let number = -WARM_UP; number < frames.FRAMES + TURNING; number += 1) {
-    const pixels = new ImageData(frames.frameOf(portrait, placeIn(number), Math.abs(number)), frames.WIDTH_PX, frames.HEIGHT_PX);
+    const pixels = new ImageData(frames.frameOf(portrait, poseIn(number), Math.abs(number)), frames.WIDTH_PX, frames.HEIGHT_PX);
     for (const [peer, follow] of Object.entries(programs)) {
       const answer = await follow(pixels, (1000 / frames.FRAMES_PER_S) * (number + WARM_UP + 1));
       if (number >= 0) seen[peer].push({ number, ...answer });
@@ -114,10 +114,10 @@ export async function video() {
 }
 
 /** Place of the face in a frame: the tests' video, then a face that turns and approaches. */
-function placeIn(number) {
-  if (number < frames.FRAMES) return frames.placeIn(Math.max(0, number));
+function poseIn(number) {
+  if (number < frames.FRAMES) return frames.poseIn(Math.max(0, number));
   const phase = (2 * Math.PI * (number - frames.FRAMES)) / TURNING;
-  return { ...frames.placeIn(0), degrees: 20 * Math.sin(phase), scale: 1.6 - 0.3 * (1 - Math.cos(phase)) / 2 };
+  return { ...frames.poseIn(0), degrees: 20 * Math.sin(phase), scale: 1.6 - 0.3 * (1 - Math.cos(phase)) / 2 };
 }
 
 async function portraitPixels() {
@@ -158,7 +158,7 @@ function videoRecords(peer, all) {
   const squares = still.flatMap(({ points }) => points.map(([x, y], at) => (x - rest[at][0]) ** 2 + (y - rest[at][1]) ** 2));
   const moving = px.filter(({ number }) => number < frames.FRAMES && frames.speedIn(number) !== 0);
   const lags_ms = moving.map(({ number, points }) => {
-    const aside_px = frames.placeIn(number).x - frames.placeIn(0).x;
+    const aside_px = frames.poseIn(number).x - frames.poseIn(0).x;
     const behind_px = mean(points.map(([x], at) => rest[at][0] + aside_px - x));
     return (1000 / frames.FRAMES_PER_S) * (behind_px / frames.speedIn(number));
   });

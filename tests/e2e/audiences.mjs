@@ -5,16 +5,16 @@ const TOUCH = { hasTouch: true, isMobile: true };
  *
  * @type {{ id: string, options: import("@playwright/test").BrowserContextOptions }[]}
  */
-export const AUDIENCES = [
-  audience(1280, 720),
-  audience(390, 844, { ...TOUCH, deviceScaleFactor: 2 }),
-  audience(1440, 900),
-  audience(820, 1180, TOUCH),
-  audience(844, 390, TOUCH),
-  audience(720, 450),
+export const WINDOW_SIZES = [
+  windowOf(1280, 720),
+  windowOf(390, 844, { ...TOUCH, deviceScaleFactor: 2 }),
+  windowOf(1440, 900),
+  windowOf(820, 1180, TOUCH),
+  windowOf(844, 390, TOUCH),
+  windowOf(720, 450),
 ];
 
 /** @param {number} width @param {number} height */
-function audience(width, height, others = {}) {
+function windowOf(width, height, others = {}) {
   return { id: `${width}x${height}`, options: { viewport: { width, height }, ...others } };
 }

@@ -32,7 +32,7 @@ export class Browsers {
   #open = new Map();
 
   /** Whether screenshots of an open browser show the 3D view. @param {Kind} kind */
-  sees(kind) {
+  showsView(kind) {
     return this.#open.get(kind).seen;
   }
 

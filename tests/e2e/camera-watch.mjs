@@ -7,7 +7,7 @@ export function camera({ page }) {
 }
 
 /** Runs in the page before its own scripts. */
-export function watchCamera() {
+export function recordCamera() {
   window.cameraAsked = 0;
   /** @type {MediaStreamTrack[]} */
   window.cameraTracks = [];

@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
-import { camera, watchCamera } from "./camera-watch.mjs";
+import { camera, recordCamera } from "./camera-watch.mjs";
 import { alike, test } from "./fixtures.mjs";
 
 /** Records the page's requests for the camera. */
-test.use({ visit: { scripts: [watchCamera] } });
+test.use({ visit: { scripts: [recordCamera] } });
 
 /** Longer than the countdown. */
 const COUNTED_MS = 5000;
@@ -81,7 +81,7 @@ test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }
 
 test("no photo is taken of a video without a size", { tag: ["@camera", "@rare"] }, async ({ open }) => {
   const hideSize = () => Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => (window.videoHasSize ? 512 : 0) });
-  const visitor = await open({ scripts: [watchCamera, hideSize] });
+  const visitor = await open({ scripts: [recordCamera, hideSize] });
   const { page } = visitor;
   await page.click("#welcome [data-action='camera']");
   await page.waitForFunction(() => document.getElementById("camera-preview").readyState >= HTMLMediaElement.HAVE_FUTURE_DATA);

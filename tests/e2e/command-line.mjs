@@ -10,7 +10,7 @@ const ROOT = path.resolve(import.meta.dirname, "../..");
 const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
 
 /** The page's default edit options, as options of `rosto mesh`. */
-export const AS_THE_PAGE_EDITS = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
+export const PAGE_EDIT_OPTIONS = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
 
 /** The command line's mesh of a photo, as JSON. @param {string} photo @param {string[]} options options of `rosto mesh` */
 export async function meshByCommandLine(photo, options) {
@@ -29,8 +29,8 @@ export function photoByCommandLine(photo, options) {
 
 /** Results of `rosto paper` for each operator and constraint. @param {string} photo @param {string[]} options */
 export async function paperByCommandLine(photo, options) {
-  const { code, stdout, said } = await run("paper", photo, ".", options);
-  assert.equal(code, 0, said);
+  const { code, stdout, log } = await run("paper", photo, ".", options);
+  assert.equal(code, 0, log);
   const rows = stdout.slice(stdout.indexOf("| Operator")).trim().split("\n").slice(2);
   return rows.map((row) => {
     const [operator, hold, , ...measures] = row.split("|").slice(1).map((cell) => cell.trim());
@@ -46,8 +46,8 @@ export function filesByCommandLine(photo, name, options) {
 
 /** @param {"mesh" | "photo"} task @param {string} photo @param {string} name @param {string[]} options */
 async function fileByCommandLine(task, photo, name, options) {
-  const { files, code, said } = await run(task, photo, name, options);
-  assert.equal(code, 0, said);
+  const { files, code, log } = await run(task, photo, name, options);
+  assert.equal(code, 0, log);
   return files.get(name);
 }
 
@@ -64,7 +64,7 @@ async function run(task, photo, output, options) {
   const running = promisify(execFile)(program(), [task, photo, "-o", path.join(folder, output), ...options]);
   const { stdout, stderr, code = 0 } = await running.catch((refused) => refused);
   const files = (await readdir(folder)).map(async (name) => /** @type {const} */ ([name, await readFile(path.join(folder, name))]));
-  const made = { files: new Map(await Promise.all(files)), stdout, said: `${stdout}${stderr}`, code };
+  const made = { files: new Map(await Promise.all(files)), stdout, log: `${stdout}${stderr}`, code };
   await rm(folder, { recursive: true });
   return made;
 }

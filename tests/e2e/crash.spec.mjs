@@ -21,14 +21,14 @@ test("an edit without anchors, followed by other densities, does not break the p
     await page.keyboard.press("Control+z");
     await editor.frames(3);
   }
-  editor.checkNothingBroke();
+  editor.assertNoErrors();
 
   // Editing still works.
   await editor.findLandmark("bottom of the chin");
-  await editor.reach("#anchors");
+  await editor.reveal("#anchors");
   await page.selectOption("#anchors", "oval");
   const before = await editor.meshJson("mm");
-  await editor.offset("y", -6);
+  await editor.setOffset("y", -6);
   const edited = await editor.meshJson("mm");
   assert.notDeepEqual(edited.positions, before.positions);
   await page.click("#toolbar [data-action='undo']");

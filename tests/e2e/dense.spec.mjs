@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { AS_THE_PAGE_EDITS, meshByCommandLine } from "./command-line.mjs";
+import { PAGE_EDIT_OPTIONS, meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
 import { assertSameShape, DENSEST, furthest, LANDMARKS, way } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
@@ -27,20 +27,20 @@ test("a point of the densest mesh can be clicked, dragged and undone, with the c
   await choosePoints(editor, 3);
   assert.equal(await page.inputValue("#density"), "3");
   await editor.findLandmark("nose tip");
-  const tip = await editor.tagged();
+  const tip = await editor.tagPosition();
   // Next to the nose, away from landmarks.
   await page.mouse.click(tip.x + 31, tip.y + 7);
   await editor.frames(3);
-  const vertex = await editor.point();
+  const vertex = await editor.selectedPoint();
   assert.ok(vertex >= LANDMARKS && vertex < DENSEST, `${vertex}`);
   assert.match(await page.innerText("#landmark-tag"), /^point [\d,]+ near the .+$/);
-  const at = await editor.tagged();
+  const at = await editor.tagPosition();
   const start = await editor.meshJson("mm");
   assert.equal(start.positions.length, DENSEST);
   const before = await editor.view();
 
   await editor.grab(at, { x: 10, y: -20 });
-  const seen = await editor.tagged();
+  const seen = await editor.tagPosition();
   assert.ok(Math.hypot(seen.x - at.x - 10, seen.y - at.y + 20) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
   await page.mouse.up();
   const moved = await editor.meshJson("mm");
@@ -52,7 +52,7 @@ test("a point of the densest mesh can be clicked, dragged and undone, with the c
   assert.match(entry, new RegExp(`^point ${vertex.toLocaleString("en")} near the `));
 
   const edit = `${vertex}@3:${offset.join(",")}`;
-  assertSameShape(moved, await meshByCommandLine(SAMPLE, [...AS_THE_PAGE_EDITS, "--density", "3", "--edit", edit]));
+  assertSameShape(moved, await meshByCommandLine(SAMPLE, [...PAGE_EDIT_OPTIONS, "--density", "3", "--edit", edit]));
   await page.selectOption("#language", "pt");
   assert.match((await editor.history())[0], new RegExp(`^ponto ${vertex.toLocaleString("de")} perto d[ao] `));
   await page.click("#toolbar [data-action='undo']");
@@ -63,20 +63,20 @@ test("a point moves by sliders on both sides, waits on a coarser mesh, and can b
   await choosePoints(editor, 1);
   const start = await editor.meshJson("mm");
   await editor.findLandmark("1500");
-  assert.equal(await editor.point(), 1_500);
-  await editor.offset("z", 3);
+  assert.equal(await editor.selectedPoint(), 1_500);
+  await editor.setOffset("z", 3);
   const moved = await editor.meshJson("mm");
   assert.ok(Math.abs(way(start, moved, 1_500)[2] - 3) < 1e-9);
   const both = moved.positions.filter((_, vertex) => Math.abs(way(start, moved, vertex)[2] - 3) < 1e-9);
   assert.equal(both.length, 2, "the other side did not follow");
 
-  await editor.reach("#point-density");
+  await editor.reveal("#point-density");
   await page.selectOption("#point-density", "0");
   assert.deepEqual(await editor.history(), [`point 1,500 near the ${(await editor.history())[0].split(" near the ")[1]}`]);
   assert.match(await page.innerText("#history .waits"), /1,833 points/);
   assert.match(await page.inputValue("#landmark-search"), / · \d+$/);
   assert.equal((await editor.meshJson("mm")).positions.length, LANDMARKS);
-  await editor.reach("#point-density");
+  await editor.reveal("#point-density");
   await page.selectOption("#point-density", "1");
   await page.waitForSelector("#history .waits", { state: "detached" });
   assert.deepEqual(await editor.meshJson("mm"), moved);
@@ -84,7 +84,7 @@ test("a point moves by sliders on both sides, waits on a coarser mesh, and can b
   await editor.unfold("section-history");
   await page.uncheck("#history input");
   assert.deepEqual(await editor.meshJson("mm"), start);
-  await editor.reach("#history");
+  await editor.reveal("#history");
   await page.check("#history input");
   assert.deepEqual(await editor.meshJson("mm"), moved);
 });
@@ -106,7 +106,7 @@ test("edits of points reopen from a GLB, and keep their position when eyes and m
 
   await page.selectOption("#triangulation", "tessellation", { force: true });
   await editor.frames(3);
-  await editor.reach("#mirror");
+  await editor.reveal("#mirror");
   assert.ok(await page.isDisabled("#mirror"));
   assert.ok(await page.isVisible("#mirror-help"));
   const opened = await editor.meshJson("mm");
@@ -118,7 +118,7 @@ test("edits of points reopen from a GLB, and keep their position when eyes and m
 test("on a dense mesh the error for an unknown point does not mention the range of landmarks", { tag: "@rare" }, async ({ editor, page }) => {
   await choosePoints(editor, 2);
   await editor.findLandmark("7000");
-  assert.equal(await editor.point(), 7_000);
+  assert.equal(await editor.selectedPoint(), 7_000);
   for (const language of ["en", "pt"]) {
     await page.selectOption("#language", language);
     await editor.findLandmark("999999");

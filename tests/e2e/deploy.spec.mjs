@@ -34,7 +34,7 @@ for (const [[when, needs], tag] of alike([["opened on the first visit", "gpu"], 
 
     server.deploy(newer);
     await expectBuild(old, older, needs);
-    const next = await old.anotherTab();
+    const next = await old.openTab();
     await expectBuild(next, newer, needs);
     await next.page.reload();
     await next.untilLoaded();
@@ -80,7 +80,7 @@ test("a version that was not stored gets no files of the next one", async ({ ope
   await old.untilLoaded();
   server.deploy(newer);
   server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
-  const next = await old.anotherTab();
+  const next = await old.openTab();
   await expectBuild(next, newer);
   // Simulates a third version.
   server.deploy(older);

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { AS_THE_PAGE_EDITS, meshByCommandLine } from "./command-line.mjs";
+import { PAGE_EDIT_OPTIONS, meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
 import { assertSameMesh } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
@@ -17,18 +17,18 @@ test("a dropped portrait becomes a mesh in its colours, and a click selects a po
 });
 
 test("moving the nose tip changes picture and mesh like the command line, and undo restores both", { tag: "@eyes" }, async ({ editor }) => {
-  await editor.prefer("paper");
+  await editor.choosePreset("paper");
   await editor.unfold("section-view");
   await editor.page.click("[data-action='view-left']");
   await editor.findLandmark("nose tip");
   const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
-  await editor.offset("z", 12);
+  await editor.setOffset("z", 12);
   const anchors = await editor.anchors();
   assert.equal(anchors.length, 2);
   const after = { view: await editor.view(), mesh: await editor.meshJson("mm") };
   assert.ok(difference(before.view, after.view) > 0.002, "the picture did not change");
 
-  const edit = `${await editor.landmark()}:0,0,12:${anchors.join(",")}`;
+  const edit = `${await editor.selectedLandmark()}:0,0,12:${anchors.join(",")}`;
   const options = ["--units", "mm", "--density", "0"];
   assertSameMesh(before.mesh, await meshByCommandLine(SAMPLE, options));
   assertSameMesh(after.mesh, await meshByCommandLine(SAMPLE, [...options, "--edit", edit]));
@@ -48,7 +48,7 @@ test("rotating details follow each tick and give the command line's mesh", { tag
   await editor.page.fill("#landmark-sliders [data-axis='z'] input[type=number]", "14");
   assert.ok(difference(before, await editor.view()) > 0.002, "the picture did not change while the number was typed");
   await editor.page.press("#landmark-sliders [data-axis='z'] input[type=number]", "Tab");
-  const options = [...AS_THE_PAGE_EDITS, "--edit", "61:0,0,14"];
+  const options = [...PAGE_EDIT_OPTIONS, "--edit", "61:0,0,14"];
   const turned = await meshByCommandLine(SAMPLE, [...options, "--turn-details"]);
   assertSameMesh(await editor.meshJson("mm"), turned);
   const kept = await meshByCommandLine(SAMPLE, options);
@@ -66,7 +66,7 @@ test("light, display and camera change the picture, and the view resets", { tag:
   const painted = await editor.view();
   assert.ok(difference(lit, painted) > 0.02, "the display had no effect");
   // Starts outside the face, where no point can be dragged.
-  await editor.drag(await editor.besideTheFace(), { x: 120, y: 20 });
+  await editor.drag(await editor.emptyPoint(), { x: 120, y: 20 });
   assert.ok(difference(painted, await editor.view()) > 0.05, "the drag did not turn the face");
   await editor.page.click("[data-action='reset-view']");
   assert.ok(difference(painted, await editor.view()) < 0.001, "the view was not reset");

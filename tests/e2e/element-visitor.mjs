@@ -2,13 +2,13 @@ import { PNG } from "pngjs";
 import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
 import { serve } from "./server.mjs";
-import { watchGpus } from "./watches.mjs";
+import { recordGpus } from "./watches.mjs";
 
 const SCRIPT = `<script type="module" src="node_modules/rosto/element/rosto-studio.js"></script>`;
 
 /** Fixtures for the example page, or for a page with a given `body` and policy next to the installed package. */
 export const test = base.extend({
-  arrive: async ({ open }, use) => {
+  openElement: async ({ open }, use) => {
     await installed();
     const server = await serve(SITE, "/a/page/");
     await use(async ({ body, policy } = {}) => {
@@ -16,7 +16,7 @@ export const test = base.extend({
       const html = `<!doctype html><html lang="en"><meta charset="utf-8">${SCRIPT}<body>${body}`;
       const headers = { "content-type": "text/html", ...(policy && { "content-security-policy": policy }) };
       const before = (context) => body && context.route(url, (route) => route.fulfill({ headers, body: html }));
-      return new ElementVisitor(await open({ url, before, scripts: [watchGpus, listen] }));
+      return new ElementVisitor(await open({ url, before, scripts: [recordGpus, recordEvents] }));
     });
     server.close();
   },
@@ -38,33 +38,33 @@ class ElementVisitor {
    * @param {number} count
    */
   async until(type, count = 1) {
-    await this.page.waitForFunction(([type, count]) => window.heard.filter((one) => one.type === type).length >= count, [type, count]);
+    await this.page.waitForFunction(([type, count]) => window.elementEvents.filter((one) => one.type === type).length >= count, [type, count]);
     return this.last(type);
   }
 
   /** Detail of the last event of a type. @param {string} type */
   last(type) {
-    return this.page.evaluate((type) => window.heard.findLast((one) => one.type === type)?.detail, type);
+    return this.page.evaluate((type) => window.elementEvents.findLast((one) => one.type === type)?.detail, type);
   }
 
   /** Types of all events so far. */
   names() {
-    return this.page.evaluate(() => window.heard.map(({ type }) => type));
+    return this.page.evaluate(() => window.elementEvents.map(({ type }) => type));
   }
 
-  /** Calls a function with the page's first element. @param {(face: any) => unknown} deed */
-  act(deed) {
-    return this.element.evaluate(deed);
+  /** Calls a function with the page's first element. @param {(face: any) => unknown} action */
+  act(action) {
+    return this.element.evaluate(action);
   }
 
   state() {
     return this.act((face) => face.state);
   }
 
-  /** Code of the error that a function throws for the first element. @param {(face: any) => unknown} deed */
-  refusal(deed) {
+  /** Code of the error that a function throws for the first element. @param {(face: any) => unknown} action */
+  refusal(action) {
     const face = `document.querySelector("rosto-studio")`;
-    return this.page.evaluate(`(async () => { try { await (${deed})(${face}); } catch (error) { return error.code; } })()`);
+    return this.page.evaluate(`(async () => { try { await (${action})(${face}); } catch (error) { return error.code; } })()`);
   }
 
   /** Opens a file in the page's first element. @param {Uint8Array} bytes @param {string} name */
@@ -102,9 +102,9 @@ class ElementVisitor {
 }
 
 /** Runs in the page: records the elements' events. */
-function listen() {
-  window.heard = [];
+function recordEvents() {
+  window.elementEvents = [];
   for (const type of ["rosto-ready", "rosto-face", "rosto-change", "rosto-error"]) {
-    addEventListener(type, ({ detail }) => window.heard.push({ type, detail: detail && structuredClone(detail) }));
+    addEventListener(type, ({ detail }) => window.elementEvents.push({ type, detail: detail && structuredClone(detail) }));
   }
 }

@@ -1,12 +1,12 @@
 // <rosto-studio> on otherwise empty pages, served from the installed npm package.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { AS_THE_PAGE_EDITS, glbByCommandLine } from "./command-line.mjs";
+import { PAGE_EDIT_OPTIONS, glbByCommandLine } from "./command-line.mjs";
 import { test } from "./element-visitor.mjs";
-import { complaints } from "./package.mjs";
+import { tscOutput } from "./package.mjs";
 import { faceless } from "./pictures.mjs";
 import { difference } from "./pixels.mjs";
-import { AS_THE_PAGE, projectAsCommandLine } from "./same-face.mjs";
+import { PAGE_OPTIONS, projectAsCommandLine } from "./same-face.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -16,15 +16,15 @@ test.describe.configure({ mode: "default" });
 /** Minimum policy for a page with the element. */
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self'";
 
-const AS_THE_ELEMENT = ["--base-colour", "whole", "--density", "2"];
+const ELEMENT_OPTIONS = ["--base-colour", "whole", "--density", "2"];
 /** Equal edits of the element and of the command line. */
 const EDITS = [
-  { edit: (face) => face.setSlider("nose-width", 4), options: [...AS_THE_PAGE, "--slider", "nose-width:4"] },
-  { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...AS_THE_PAGE_EDITS, "--edit", "1:0,0,6"] },
+  { edit: (face) => face.setSlider("nose-width", 4), options: [...PAGE_OPTIONS, "--slider", "nose-width:4"] },
+  { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...PAGE_EDIT_OPTIONS, "--edit", "1:0,0,6"] },
 ];
 
-test("on the example page, slider and drag reshape the face, events fire in order, and the GLB is valid", { tag: "@eyes" }, async ({ arrive }) => {
-  const visitor = await arrive();
+test("on the example page, slider and drag reshape the face, events fire in order, and the GLB is valid", { tag: "@eyes" }, async ({ openElement }) => {
+  const visitor = await openElement();
   const { page } = visitor;
   await visitor.until("rosto-face");
   assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face"]);
@@ -52,13 +52,13 @@ test("on the example page, slider and drag reshape the face, events fire in orde
   assert.deepEqual(await validateGlb(glb), { clean: true, counts: "0/0/0/0", messages: [] });
 });
 
-test("the element's GLB equals the command line's, byte for byte", async ({ arrive, project }) => {
-  const visitor = await arrive();
+test("the element's GLB equals the command line's, byte for byte", async ({ openElement, project }) => {
+  const visitor = await openElement();
   await visitor.until("rosto-face");
   await visitor.openFile(await projectAsCommandLine(project), "portrait.rosto");
   for (const { edit, options } of EDITS) {
     await visitor.act(edit);
-    const theirs = await glbByCommandLine(SAMPLE, [...options, ...AS_THE_ELEMENT]);
+    const theirs = await glbByCommandLine(SAMPLE, [...options, ...ELEMENT_OPTIONS]);
     assert.ok((await visitor.file()).equals(theirs), options);
     await visitor.act((face) => face.undo());
   }
@@ -71,8 +71,8 @@ test("the element's GLB equals the command line's, byte for byte", async ({ arri
   assert.deepEqual(positions(await visitor.file("json")), positions(json), "a saved file does not restore the edits");
 });
 
-test("the element reports files it cannot open by event and notice, and opens the next one", async ({ arrive }) => {
-  const visitor = await arrive({ body: `<rosto-studio src="nowhere.jpg" lang="pt-BR" shading="clay"></rosto-studio>` });
+test("the element reports files it cannot open by event and notice, and opens the next one", async ({ openElement }) => {
+  const visitor = await openElement({ body: `<rosto-studio src="nowhere.jpg" lang="pt-BR" shading="clay"></rosto-studio>` });
   const { page } = visitor;
   assert.equal((await visitor.until("rosto-error")).code, "unreadable-file");
   assert.match(await visitor.notice(), /^Não foi possível ler o arquivo/);
@@ -92,9 +92,9 @@ test("the element reports files it cannot open by event and notice, and opens th
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
-test("two elements share a page and its worker under a strict policy, and free everything when removed", async ({ arrive }) => {
+test("two elements share a page and its worker under a strict policy, and free everything when removed", async ({ openElement }) => {
   const body = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
-  const visitor = await arrive({ body, policy: POLICY });
+  const visitor = await openElement({ body, policy: POLICY });
   const { page } = visitor;
   await visitor.until("rosto-face", 2);
   assert.equal(page.workers().length, 1);
@@ -133,8 +133,8 @@ test("two elements share a page and its worker under a strict policy, and free e
   if (page.workers().length > 0) await page.workers()[0].waitForEvent("close");
 });
 
-test("without 3D the element shows the photo and a notice", { tag: "@no-gpu" }, async ({ arrive }) => {
-  const visitor = await arrive();
+test("without 3D the element shows the photo and a notice", { tag: "@no-gpu" }, async ({ openElement }) => {
+  const visitor = await openElement();
   assert.equal((await visitor.until("rosto-error")).code, "no-webgl");
   assert.match(await visitor.notice(), /can’t show 3D here\. Turn on/);
   assert.ok(await visitor.page.isVisible("rosto-studio img"));
@@ -158,8 +158,8 @@ test("TypeScript finds the package's types with both module resolutions", async 
   const strict = ["--ignoreConfig", "--strict", "--noEmit", "--target", "es2023", "--lib", "es2023,esnext.disposable,dom,dom.iterable"];
   const ways = [["--module", "esnext", "--moduleResolution", "bundler"], ["--module", "nodenext", "--moduleResolution", "nodenext"]];
   for (const way of ways) {
-    assert.equal(await complaints("consumer.ts", CONSUMER, [...strict, ...way]), "");
+    assert.equal(await tscOutput("consumer.ts", CONSUMER, [...strict, ...way]), "");
     const wrong = CONSUMER.replace("[0, 0, 5]", "[0, 5]");
-    assert.match(await complaints("wrong.ts", wrong, [...strict, ...way]), /TS2345/);
+    assert.match(await tscOutput("wrong.ts", wrong, [...strict, ...way]), /TS2345/);
   }
 });

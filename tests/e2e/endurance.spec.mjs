@@ -20,10 +20,10 @@ test("a project of 20 000 edits opens, and edits and undo stay fast", { tag: "@r
   });
   const found = await editor.meshJson("mm");
   await editor.findLandmark("bottom of the chin");
-  await inTime("edited", () => editor.offset("y", -6));
+  await inTime("edited", () => editor.setOffset("y", -6));
   const edited = await editor.meshJson("mm");
   assert.notDeepEqual(edited, found);
-  await inTime("slid", () => editor.slide("nose-width", 3));
+  await inTime("slid", () => editor.setSlider("nose-width", 3));
   await inTime("undone", async () => {
     await page.click("#toolbar [data-action='undo']");
     await editor.frames(3);
@@ -58,9 +58,9 @@ test("a huge offset is clamped to the slider's range", { tag: "@rare" }, async (
 test("an error in one panel does not affect the others", { tag: "@rare" }, async ({ editor, page }) => {
   // The landmark panel updates before the history.
   await page.evaluate(() => document.getElementById("landmark-anchors").remove());
-  await editor.slide("nose-width", 4);
+  await editor.setSlider("nose-width", 4);
   assert.deepEqual(await editor.history(), ["Nose width"]);
-  await editor.slide("nose-width", 0);
+  await editor.setSlider("nose-width", 0);
   assert.equal((await editor.history()).length, 2);
   await page.click("#toolbar [data-action='undo']");
   await editor.frames(3);
@@ -68,7 +68,7 @@ test("an error in one panel does not affect the others", { tag: "@rare" }, async
   assert.equal(await editor.sliderValue("nose-width"), 4);
   // The error is reported.
   assert.equal((await editor.notice()).code, "other");
-  await editor.comeBack();
+  await editor.reloadAndResume();
   assert.equal(await editor.sliderValue("nose-width"), 4);
 });
 

@@ -12,7 +12,7 @@ const PICTURES = path.resolve(import.meta.dirname, "../../target/engines");
 /**
  * Launches per engine. WebKitGTK 2.50 sometimes crashes in its WebAssembly interpreter; a second crash fails the test.
  */
-const MOST_LAUNCHES = 2;
+const MAX_LAUNCHES = 2;
 
 const wanted = process.argv.slice(2);
 const names = Object.keys(ENGINES).filter((name) => wanted.length === 0 || wanted.includes(name));
@@ -40,10 +40,10 @@ async function visit(name) {
       return true;
     } catch (error) {
       // After a crash of the browser, the driver reports an unknown session.
-      const willRetry = error instanceof errors.NoSuchSessionError && launch < MOST_LAUNCHES;
+      const willRetry = error instanceof errors.NoSuchSessionError && launch < MAX_LAUNCHES;
       console.log(willRetry ? `${name} crashed; launching it again` : `✗ ${name}: ${error.stack}`);
       if (willRetry) continue;
-      for (const said of (await browser?.errors().catch(() => [])) ?? []) console.log(`    page: ${said}`);
+      for (const line of (await browser?.errors().catch(() => [])) ?? []) console.log(`    page: ${line}`);
       return false;
     } finally {
       await browser?.close();

@@ -27,10 +27,10 @@ test("one switch shows technical controls and point numbers, and is remembered",
   await expectShown(false);
   await page.getByLabel("Expert").check();
   await expectShown(true);
-  await editor.offset("z", 4);
+  await editor.setOffset("z", 4);
   assert.deepEqual(await editor.history(), ["nose tip · 1"]);
 
-  await editor.comeBack();
+  await editor.reloadAndResume();
   await expectShown(true);
   await page.getByLabel("Expert").uncheck();
   await expectShown(false);
@@ -38,8 +38,8 @@ test("one switch shows technical controls and point numbers, and is remembered",
 });
 
 test("technical choices stay in effect when the switch is off", async ({ editor, page }) => {
-  await editor.prefer("paper");
-  await editor.reach("#shading [value='response']");
+  await editor.choosePreset("paper");
+  await editor.reveal("#shading [value='response']");
   await page.check("#shading [value='response']", { force: true });
   await page.getByLabel("Expert").uncheck();
   assert.ok(await page.isVisible("#shading label:has([value='response'])"), "the active display is not shown");

@@ -5,7 +5,7 @@ import { PNG } from "pngjs";
 import { partsOfGlb } from "./changed-files.mjs";
 import { filesByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
+import { PAGE_OPTIONS, openAsCommandLine, storedFiles } from "./same-face.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -24,7 +24,7 @@ test("a GLB of each density passes the validator, and the page reports it before
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-verdict='valid']");
     const verdict = await page.innerText("#verdict");
-    const { name, json, bytes } = await downloadedGlb(editor);
+    const { name, json, bytes } = await downloadGlb(editor);
     assert.equal(name, density === 2 ? "portrait.glb" : `portrait-${vertices}.glb`);
     const size = bytes < 1e6 ? `${Math.round(bytes / 1000).toLocaleString("en-GB")} KB` : `${(bytes / 1e6).toFixed(1)} MB`;
     assert.equal(verdict, `${name}, ${size}: valid glTF 2.0, 0 errors, 0 warnings, 0 remarks`);
@@ -62,7 +62,7 @@ test("the panel shows the GLB's name, content, size and verdict until the face c
   await page.check("input[name='base-colour'][value='colours']", { force: true });
   await page.check("#export-unlit");
   await page.check("#export-morphs");
-  const { extensionsUsed, images, meshes } = (await downloadedGlb(editor)).json;
+  const { extensionsUsed, images, meshes } = (await downloadGlb(editor)).json;
   assert.ok(await page.isVisible("#verdict[data-verdict='valid']"), "no verdict next to the download");
   assert.deepEqual(extensionsUsed, ["KHR_materials_unlit"]);
   assert.ok("COLOR_0" in meshes[0].primitives[0].attributes && !images);
@@ -71,13 +71,13 @@ test("the panel shows the GLB's name, content, size and verdict until the face c
 
   await page.uncheck("#export-morphs");
   await page.check("#export-expressions");
-  const { json, bytes } = await downloadedGlb(editor);
+  const { json, bytes } = await downloadGlb(editor);
   const [{ attributes, indices }] = json.meshes[0].primitives;
   const [points, triangles] = [json.accessors[attributes.POSITION].count, json.accessors[indices].count / 3].map((count) => count.toLocaleString("en-GB"));
   assert.deepEqual(await facts(), ["portrait-1833.glb", `${Math.round(bytes / 1000)} KB`, `GLB: ${points} points, ${triangles} triangles, point colours, no texture.`]);
-  await editor.speak("pt");
+  await editor.setLanguage("pt");
   assert.match((await facts()).at(-1), /^GLB: [\d.]+ pontos, [\d.]+ triângulos, cores nos pontos, sem textura\.$/);
-  await editor.slide("nose-width", 2);
+  await editor.setSlider("nose-width", 2);
   await editor.unfold("section-export");
   assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
   assert.equal((await facts()).length, 2, "the size is that of another file");
@@ -85,22 +85,22 @@ test("the panel shows the GLB's name, content, size and verdict until the face c
 
 test("the print measurements match the command line, and the STL matches byte for byte", { tag: "@rare" }, async ({ visitor, page }) => {
   await openAsCommandLine(visitor);
-  await visitor.reach("#print-facts");
+  await visitor.reveal("#print-facts");
   for (const [solid, length] of [["thickness", "2"], ["flat", "3"], ["surface"]]) {
     await page.check(`input[name="solid"][value="${solid}"]`, { force: true });
     assert.equal(await page.isVisible("#solid-mm"), length !== undefined);
     if (length) assert.equal(await page.inputValue("#solid-mm"), length);
     const body = [solid, ...(length ? [length] : [])].join(":");
-    const { files, said } = await filesByCommandLine(SAMPLE, "face.stl", [...AS_THE_PAGE, "--solid", body]);
+    const { files, log } = await filesByCommandLine(SAMPLE, "face.stl", [...PAGE_OPTIONS, "--solid", body]);
     const measures = await measured(page);
-    assert.deepEqual(measures, toldOf(said), body);
+    assert.deepEqual(measures, measuresIn(log), body);
     assert.equal(measures.length > 0, solid !== "surface");
     assert.ok((await visitor.download("download-stl")).equals(files.get("face.stl")), `another STL: ${body}`);
   }
 });
 
 test("a body that cannot be printed is refused with an allowed length", { tag: "@rare" }, async ({ editor, page }) => {
-  await editor.reach("#print-facts");
+  await editor.reveal("#print-facts");
   let downloads = 0;
   page.on("download", () => (downloads += 1));
   const refusal = page.locator("#print-refused");
@@ -127,23 +127,23 @@ test("a body that cannot be printed is refused with an allowed length", { tag: "
 });
 
 test("browsers with the features can share the GLB, copy the picture and open AR", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ scripts: [takeFiles] });
+  const visitor = await open({ scripts: [installSharing] });
   const { page } = visitor;
   await visitor.openFace("ana");
   await visitor.unfold("section-export");
   await page.click("#share-glb");
-  const shared = await taken(page, "sent");
+  const shared = await passedOn(page, "sent");
   assert.deepEqual([shared.name, shared.type], ["ana.glb", "model/gltf-binary"]);
   assert.deepEqual(await validateGlb(shared.bytes), { clean: true, counts: "0/0/0/0", messages: [] });
 
   // The toast may disappear while the file is read.
-  const said = page.waitForSelector("#toast:not([hidden])").then((toast) => toast.innerText());
+  const toast = page.waitForSelector("#toast:not([hidden])").then((element) => element.innerText());
   await page.click("#copy-picture");
-  const copied = await taken(page, "copied");
+  const copied = await passedOn(page, "copied");
   const { width, height } = PNG.sync.read(Buffer.from(copied.bytes));
   const view = await page.locator("#viewport").evaluate(({ width, height }) => ({ width, height }));
   assert.deepEqual([copied.type, width, height], ["image/png", 2 * view.width, 2 * view.height]);
-  assert.equal(await said, "Picture copied to the clipboard");
+  assert.equal(await toast, "Picture copied to the clipboard");
 
   const link = page.locator("#ar-link");
   assert.deepEqual(await link.evaluate(({ rel, children }) => [rel, [...children].map(({ tagName }) => tagName)]), ["ar", ["IMG"]]);
@@ -170,14 +170,14 @@ test("without share, clipboard and AR support, their buttons are hidden", { tag:
 /** Printed measurements on the page: mm, cm³ and g, and the rounding of folds if there is any. */
 async function measured(page) {
   await page.waitForSelector("#export-print:not([data-measuring])");
-  const said = await page.locator("#print-facts dd").allInnerTexts();
-  return said.map((text) => text.replaceAll(",", ""));
+  const texts = await page.locator("#print-facts dd").allInnerTexts();
+  return texts.map((text) => text.replaceAll(",", ""));
 }
 
-/** The same measurements from the command line's output. @param {string} said */
-function toldOf(said) {
-  const [, volume, size, mass, thinnest] = /a body of ([\d.]+) cm³, (.*) mm, (\d+) g .*; ([\d.]+) mm/.exec(said) ?? [];
-  const [, rounded] = /rounded off by up to ([\d.]+) mm/.exec(said) ?? [];
+/** The same measurements from the command line's output. @param {string} log */
+function measuresIn(log) {
+  const [, volume, size, mass, thinnest] = /a body of ([\d.]+) cm³, (.*) mm, (\d+) g .*; ([\d.]+) mm/.exec(log) ?? [];
+  const [, rounded] = /rounded off by up to ([\d.]+) mm/.exec(log) ?? [];
   if (!volume) return [];
   return [`${size} mm`, `${volume} cm³`, `${mass} g`, `${thinnest} mm`, ...(Number(rounded) > 0 ? [`${rounded} mm`] : [])];
 }
@@ -189,14 +189,14 @@ async function refuseWalls({ most_mm }) {
     const call = Studio.prototype[method];
     Studio.prototype[method] = function (...values) {
       const isThick = Number(document.getElementById("solid-mm").value) > most_mm;
-      if (isThick) throw Object.assign(new Error("too thick"), { code: "too-thick", mostMm: most_mm });
+      if (isThick) throw Object.assign(new Error("too thick"), { code: "too-thick", maxMm: most_mm });
       return call.apply(this, values);
     };
   }
 }
 
 /** Runs in the page before its own scripts: supports share, clipboard and AR, or refuses each. */
-function takeFiles() {
+function installSharing() {
   const keep = async (/** @type {string} */ what, /** @type {Blob & { name?: string }} */ file) => {
     if (window["refuses"]) throw new DOMException("refused", "NotAllowedError");
     window[what] = { name: file.name, type: file.type, bytes: new Uint8Array(await file.arrayBuffer()) };
@@ -208,12 +208,12 @@ function takeFiles() {
 }
 
 /** Waits for the file that the page passed on. @param {import("@playwright/test").Page} page @param {string} what */
-async function taken(page, what) {
+async function passedOn(page, what) {
   return (await page.waitForFunction((what) => window[what], what)).jsonValue();
 }
 
 /** Downloads the GLB, validates it and parses its JSON. */
-async function downloadedGlb(visitor) {
+async function downloadGlb(visitor) {
   const { name, bytes } = await visitor.save("download-glb");
   assert.deepEqual(await validateGlb(bytes), { clean: true, counts: "0/0/0/0", messages: [] });
   return { name, json: partsOfGlb(bytes).json, bytes: bytes.length };

@@ -18,7 +18,7 @@ function fieldOf({ page }, expression) {
 
 /** @param {import("./visitor.mjs").Visitor} visitor @param {string} expression @param {number} perCent */
 async function express(visitor, expression, perCent) {
-  await visitor.reach(`[data-expression="${expression}"]`);
+  await visitor.reveal(`[data-expression="${expression}"]`);
   await fieldOf(visitor, expression).fill(String(perCent));
   await fieldOf(visitor, expression).press("Tab");
   await visitor.frames(3);
@@ -37,7 +37,7 @@ test("an expression is visible, can be undone, survives a reload, and becomes a 
   assert.deepEqual(await editor.meshJson("mm"), shape);
   assert.equal(await fieldOf(editor, "jawOpen").inputValue(), "0");
   await page.click("#toolbar [data-action='redo']");
-  await editor.comeBack();
+  await editor.reloadAndResume();
   assert.deepEqual(await editor.meshJson("mm"), work);
   assert.equal(await fieldOf(editor, "jawOpen").inputValue(), "60");
 

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
 import { assertSameMesh, furthest, way } from "./meshes.mjs";
-import { AS_THE_PAGE } from "./same-face.mjs";
+import { PAGE_OPTIONS } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The alae of the nose, right and left. */
@@ -18,13 +18,13 @@ test("nose width moves both sides equally, is one entry, and equals the command 
   const { x, y, width, height } = await track.boundingBox();
   await editor.drag({ x: x + width / 2, y: y + height / 2 }, { x: 0.3 * width, y: 0 });
   const amount_mm = await editor.sliderValue("nose-width");
-  assert.ok(amount_mm > 2, `the slider stands at ${amount_mm}`);
+  assert.ok(amount_mm > 2, `the slider is at ${amount_mm}`);
   assert.deepEqual(await editor.history(), ["Nose width"]);
 
   const after = await editor.meshJson("mm");
   const [right, left] = WINGS.map((wing) => way(before, after, wing));
   assert.ok(Math.abs(left[0] - amount_mm) < 1e-6 && Math.abs(left[0] + right[0]) < 1e-6, `${right}, ${left}`);
-  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, "--slider", `nose-width:${amount_mm}`]));
+  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...PAGE_OPTIONS, "--slider", `nose-width:${amount_mm}`]));
 
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), before);
@@ -36,11 +36,11 @@ test("nose width moves both sides equally, is one entry, and equals the command 
 
 test("a slider shows the sum of its entries, and a double click on its name resets it", { tag: "@rare" }, async ({ editor, page }) => {
   const start = await editor.meshJson("mm");
-  await editor.slide("lip-fullness", 2);
-  await editor.slide("chin-length", -3);
-  await editor.slide("lip-fullness", 1.5);
+  await editor.setSlider("lip-fullness", 2);
+  await editor.setSlider("chin-length", -3);
+  await editor.setSlider("lip-fullness", 1.5);
   assert.deepEqual(await editor.history(), ["Lip fullness", "Chin length", "Lip fullness"]);
-  await editor.reach("#history");
+  await editor.reveal("#history");
   await page.locator("#history li input").last().uncheck();
   assert.equal(await editor.sliderValue("lip-fullness"), -0.5);
   await page.locator("#history li input").last().check();
@@ -64,9 +64,9 @@ test("sliders work by keyboard and in Portuguese, and keep the selected landmark
   assert.deepEqual(await editor.history(), ["Largura da mandíbula"]);
   assert.match(await page.innerText("#announcement"), /Largura da mandíbula: 0,5 milímetros/);
   assert.equal(await editor.sliderValue("jaw-width"), 0.5);
-  await editor.offset("z", 4);
+  await editor.setOffset("z", 4);
   assert.equal((await editor.history()).length, 2);
-  assert.equal(await editor.landmark(), 1);
+  assert.equal(await editor.selectedLandmark(), 1);
 });
 
 test("symmetry is an action with a percentage, listed and undone like an edit", { tag: "@rare" }, async ({ editor, page }) => {
@@ -78,7 +78,7 @@ test("symmetry is an action with a percentage, listed and undone like an edit", 
   const [right, left] = WINGS.map((wing) => after.positions[wing]);
   assert.ok(Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
   assert.match(await page.innerText("#history li"), /Make symmetric\s*100 %/);
-  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, "--symmetrise", "1"]));
+  assertSameMesh(after, await meshByCommandLine(SAMPLE, [...PAGE_OPTIONS, "--symmetrise", "1"]));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), before);
 });

@@ -4,10 +4,10 @@ import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
 import { alike, test } from "./fixtures.mjs";
 import { chooseFace, openGroup } from "./groups.mjs";
-import { keptWorks, untilKept } from "./kept.mjs";
+import { storedWorks, untilSaved } from "./kept.mjs";
 import { asJpeg, sixTimes } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { panicIn, refuseDatabase } from "./watches.mjs";
+import { trapIn, refuseDatabase } from "./watches.mjs";
 
 test.use({ visit: { expert: true } });
 
@@ -23,7 +23,7 @@ test("each face of a group keeps its edits and name when you switch between them
   await choose(visitor, 1);
   assert.equal((await visitor.save("download-glb")).name, "group-2-1833.glb");
   assert.deepEqual(await visitor.history(), []);
-  await visitor.slide("jaw-width", 4);
+  await visitor.setSlider("jaw-width", 4);
   const second = await visitor.work();
   assert.notDeepEqual(second.mesh, first.mesh);
   await visitor.unfold("section-view");
@@ -39,9 +39,9 @@ test("each face of a group keeps its edits and name when you switch between them
   await choose(visitor, 1);
   assert.deepEqual(await visitor.work(), second);
   // Each face has one slot; the tab holds the lock of one.
-  await untilKept(page);
-  const kept = await keptWorks(page);
-  assert.deepEqual(kept.map(({ name, isHeld }) => [name, isHeld]).sort(), [["group", false], ["group-2", true]]);
+  await untilSaved(page);
+  const kept = await storedWorks(page);
+  assert.deepEqual(kept.map(({ name, isLocked }) => [name, isLocked]).sort(), [["group", false], ["group-2", true]]);
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
 
@@ -51,9 +51,9 @@ test("after switching faces, a reload offers the last shown face with its work",
   for (const index of [1, 0, 1, 0]) await choose(visitor, index);
   await visitor.move("nose tip", "z", 3);
   const first = await visitor.work();
-  await untilKept(page, 2);
-  assert.equal((await keptWorks(page)).length, 2);
-  await visitor.comeBack();
+  await untilSaved(page, 2);
+  assert.equal((await storedWorks(page)).length, 2);
+  await visitor.reloadAndResume();
   assert.deepEqual(await visitor.work(), first);
 });
 
@@ -73,7 +73,7 @@ test("the previous face is one click away with its edits, in both directions", {
   for (const { bytes, name } of others) {
     await editor.drop(bytes, name);
     await untilNamed(editor, "other");
-    await editor.slide("jaw-width", 4);
+    await editor.setSlider("jaw-width", 4);
     const other = await editor.work();
     await goBack(editor, "portrait");
     assert.deepEqual(await editor.work(), photo, name);
@@ -101,8 +101,8 @@ test("earlier photos are offered by name, with their edits", { tag: "@rare" }, a
   await goBack(visitor, "eva");
   assert.deepEqual(await visitor.work(), left.get("eva"));
   // Faces that do not fit in the strip are still stored.
-  await untilKept(page);
-  assert.ok((await keptWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
+  await untilSaved(page);
+  assert.ok((await storedWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
 });
 
 for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["nothing", [refuseDatabase]]])) {
@@ -114,7 +114,7 @@ for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["noth
     await visitor.move("nose tip", "z", 9);
     const first = await visitor.work();
     await choose(visitor, 1);
-    await visitor.slide("jaw-width", 4);
+    await visitor.setSlider("jaw-width", 4);
     const second = await visitor.work();
 
     await visitor.openFace("alone");
@@ -129,7 +129,7 @@ for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["noth
   });
 }
 
-test("of faces chosen in quick succession the last is shown, and a restart of the module changes nothing", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the last of several quickly chosen faces is shown, and a restart of the module changes nothing", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await openGroup(visitor);
   await visitor.move("nose tip", "z", 9);
@@ -149,7 +149,7 @@ test("of faces chosen in quick succession the last is shown, and a restart of th
   assert.deepEqual(await visitor.work(), first);
 
   await choose(visitor, 1);
-  await page.evaluate(panicIn, { method: "exportFile" });
+  await page.evaluate(trapIn, { method: "exportFile" });
   await visitor.unfold("section-export");
   await page.click("[data-action='download-json']");
   await page.waitForSelector("#notice[data-code='restarted']");

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { alike, test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { dieBefore, watchGpus } from "./watches.mjs";
+import { crashBefore, recordGpus } from "./watches.mjs";
 
-test.use({ visit: { scripts: [watchGpus] } });
+test.use({ visit: { scripts: [recordGpus] } });
 
 /** Opens the sample and moves the nose tip; returns the mesh. */
 async function work(visitor) {
@@ -21,7 +21,7 @@ async function failToSave(visitor, action) {
   const files = [];
   page.on("download", (download) => files.push(download.suggestedFilename()));
   await visitor.unfold("section-export");
-  if (await page.locator(`#sections [data-action="${action}"]`).count()) await visitor.reach(`[data-action="${action}"]`);
+  if (await page.locator(`#sections [data-action="${action}"]`).count()) await visitor.reveal(`[data-action="${action}"]`);
   await page.click(`#panel [data-action="${action}"]`);
   const notice = await visitor.notice();
   await visitor.frames(10);
@@ -73,10 +73,10 @@ for (const [{ reply, action, code }, tag] of alike([
   { reply: "textured", action: "download-glb", code: "texture-not-made" },
 ])) {
   test(`the notice names the right task if the worker crashes before it has ${reply}`, { tag }, async ({ visitor, page }) => {
-    const doom = (worker) => worker.evaluate(dieBefore, reply).catch(() => {});
-    page.on("worker", doom);
+    const crash = (worker) => worker.evaluate(crashBefore, reply).catch(() => {});
+    page.on("worker", crash);
     await visitor.untilLoaded();
-    await Promise.all(page.workers().map(doom));
+    await Promise.all(page.workers().map(crash));
     const mesh = await work(visitor);
     const notice = await failToSave(visitor, action);
     assert.equal(notice.code, code);

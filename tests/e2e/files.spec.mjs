@@ -7,8 +7,8 @@ import { SAMPLE } from "./visitor.mjs";
 /** Maximum size of a photo. */
 const MAX_PHOTO_BYTES = 40_000_000;
 
-test("of several files the first that can be opened is opened, and a notice says so", async ({ visitor, page }) => {
-  await visitor.untilItAnswers();
+test("the first valid file of several is opened, and a notice says so", async ({ visitor, page }) => {
+  await visitor.untilInteractive();
   const portrait = await readFile(SAMPLE);
   const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };
   const phone = { bytes: heic(), name: "IMG_0001.HEIC", type: "image/heic" };
@@ -61,7 +61,7 @@ test("a dropped URL, text or HTML shows a notice, and text fields still accept t
 });
 
 test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
-  await visitor.untilItAnswers();
+  await visitor.untilInteractive();
   const photos = testInfo.outputPath("photos.png");
   await mkdir(photos);
   await dropFromDesktop(visitor.page, [photos]);
@@ -72,7 +72,7 @@ test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
 });
 
 test("a file of gigabytes is reported as too large, at the worker's limit", async ({ visitor, page }, testInfo) => {
-  await visitor.untilItAnswers();
+  await visitor.untilInteractive();
   for (const [bytes, code] of /** @type {const} */ ([
     [3 * 2 ** 30, "too-many-bytes"],
     [MAX_PHOTO_BYTES, "not-a-picture"],

@@ -7,10 +7,10 @@ test("hints stay until followed, a dot marks the point to drag, and returning us
   const hint = async () => ((await page.isVisible("#hint")) ? page.textContent("#hint") : "");
   await visitor.dropSample();
   assert.equal(await hint(), "Drag the nose");
-  const [dot, tip] = [await page.locator("#pulse").boundingBox(), await visitor.landmarkPlace(1)];
+  const [dot, tip] = [await page.locator("#pulse").boundingBox(), await visitor.landmarkPosition(1)];
   const off_px = Math.hypot(dot.x + dot.width / 2 - tip.x, dot.y + dot.height / 2 - tip.y);
   assert.ok(off_px < 2, `the dot is ${off_px} px from the nose`);
-  const beside = await visitor.besideTheFace();
+  const beside = await visitor.emptyPoint();
   await page.mouse.click(beside.x, beside.y);
   assert.equal(await hint(), "Drag the nose", "a click does not complete the hint");
   await visitor.drag(tip, { x: 0, y: -20 });
@@ -29,7 +29,7 @@ test("on touch devices the hint mentions fingers", { tag: "@rare" }, async ({ op
   const visitor = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
   await visitor.dropSample();
-  const tip = await visitor.landmarkPlace(1);
+  const tip = await visitor.landmarkPosition(1);
   const touch = await page.context().newCDPSession(page);
   await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [tip] });
   for (const up of [10, 20]) await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: tip.x, y: tip.y - up }] });

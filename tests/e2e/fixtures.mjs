@@ -38,7 +38,7 @@ export const test = base.extend({
     server.close();
   },
 
-  /** Options of {@link Visitor.arrive}, and an optional `url`. */
+  /** Options of {@link Visitor.open}, and an optional `url`. */
   visit: [{}, { option: true }],
 
   /** Opens the page in a new browser context. */
@@ -48,14 +48,14 @@ export const test = base.extend({
     const visitors = [];
     await use(async (options) => {
       const { url = server.url, ...visiting } = { ...visit, ...options };
-      const visitor = await Visitor.arrive(await browsers.get(kind), url, visiting);
-      Object.assign(visitor, { project, sees: browsers.sees(kind) });
+      const visitor = await Visitor.open(await browsers.get(kind), url, visiting);
+      Object.assign(visitor, { project, showsView: browsers.showsView(kind) });
       visitors.push(visitor);
       return visitor;
     });
-    const hasFailed = testInfo.status !== testInfo.expectedStatus || visitors.some(({ broken }) => broken.length > 0);
+    const hasFailed = testInfo.status !== testInfo.expectedStatus || visitors.some(({ errors }) => errors.length > 0);
     try {
-      for (const visitor of visitors) visitor.checkNothingBroke();
+      for (const visitor of visitors) visitor.assertNoErrors();
     } finally {
       if (hasFailed) await attachConsoles(visitors, testInfo);
       for (const visitor of visitors) await browsers.release(visitor);
@@ -86,8 +86,8 @@ export function alike(cases) {
 
 /** @param {Visitor[]} visitors @param {import("@playwright/test").TestInfo} testInfo */
 async function attachConsoles(visitors, testInfo) {
-  for (const { said, browserSaid } of visitors) {
-    const lines = [...said.map((line) => `page: ${line}`), ...browserSaid.map((line) => `browser: ${line}`)];
+  for (const { consoleLines, browserLines } of visitors) {
+    const lines = [...consoleLines.map((line) => `page: ${line}`), ...browserLines.map((line) => `browser: ${line}`)];
     await testInfo.attach("console", { body: lines.join("\n"), contentType: "text/plain" });
   }
 }

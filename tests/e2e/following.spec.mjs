@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { portraitLandmarks } from "./video.mjs";
-import { FRAMES_PER_S, STILL_FRAMES, carried, placeIn, speedIn } from "./video-frames.mjs";
+import { FRAMES_PER_S, STILL_FRAMES, mapToFrame, poseIn, speedIn } from "./video-frames.mjs";
 import { test as base } from "./fixtures.mjs";
-import { dieBefore } from "./watches.mjs";
+import { crashBefore } from "./watches.mjs";
 
 /** @typedef {import("./following-page.mjs").Seen} Seen */
 
@@ -33,7 +33,7 @@ test("tracking a camera's face is accurate at rest and does not lag in motion", 
   const still = seen.filter(({ number }) => number >= SETTLED_FRAMES && number < STILL_FRAMES);
   const rest = meanOf(still);
   assert.ok(jitter_px(still, rest) < 0.3, `jitter of ${jitter_px(still, rest)} px`);
-  const truth = (await portraitLandmarks()).map((point) => carried(placeIn(0), point));
+  const truth = (await portraitLandmarks()).map((point) => mapToFrame(poseIn(0), point));
   const off_px = mean(rest.map(([x, y], point) => Math.hypot(x - truth[point][0], y - truth[point][1])));
   assert.ok(off_px < 2, `it is ${off_px} px off`);
 
@@ -43,7 +43,7 @@ test("tracking a camera's face is accurate at rest and does not lag in motion", 
   assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
 });
 
-test("of frames sent together the first and last are answered, stopping answers all, and a crashed worker is replaced", async ({ visitor, page, following }) => {
+test("the first and last of simultaneous frames are answered, stopping answers all, and a crashed worker is replaced", async ({ visitor, page, following }) => {
   // The page's own workers have started.
   await visitor.untilLoaded();
   const vision = await following.evaluateHandle(({ client }) => client());
@@ -66,7 +66,7 @@ test("of frames sent together the first and last are answered, stopping answers 
   });
   assert.deepEqual({ afterStop, next }, { afterStop: [null, null], next: 264 });
 
-  await page.workers().at(-1).evaluate(dieBefore, "followed");
+  await page.workers().at(-1).evaluate(crashBefore, "followed");
   const { reasons, again, starts } = await vision.evaluate(async (vision) => {
     const frame = () => createImageBitmap(new ImageData(64, 48));
     const lost = [vision.follow(await frame(), 297), vision.follow(await frame(), 330)];
@@ -114,7 +114,7 @@ function jitter_px(frames, rest) {
 
 /** Delay between the face's motion and the landmarks, in ms. @param {Seen} frame @param {number[][]} rest */
 function lag_ms({ number, landmarks_px }, rest) {
-  const aside = placeIn(number).x - placeIn(0).x;
+  const aside = poseIn(number).x - poseIn(0).x;
   const behind = mean(landmarks_px.map(([x], point) => rest[point][0] + aside - x));
   return (1000 / FRAMES_PER_S) * (behind / speedIn(number));
 }

@@ -41,7 +41,7 @@ test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a h
   await editor.move("nose tip", "z", 6);
   const { positions } = await editor.meshJson("mm");
   const glb = await editor.download("download-glb");
-  await letGo(editor);
+  await clearSelection(editor);
   const view = await editor.view();
   const parts = partsOfGlb(glb);
   const shape = parts.json.accessors[parts.json.meshes[0].primitives[0].attributes.POSITION].bufferView;
@@ -63,7 +63,7 @@ test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a h
   await editor.drop(halved, "halved.glb");
   await editor.untilFace();
   assert.deepEqual((await editor.meshJson("mm")).positions, positions);
-  await letGo(editor);
+  await clearSelection(editor);
   const opened = await editor.view();
   for (const left of [0.38, 0.44, 0.5, 0.56]) {
     for (const top of [0.25, 0.45, 0.65]) {
@@ -74,8 +74,8 @@ test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a h
 });
 
 /** Clears the selection and moves the pointer away, so that the view shows no marks. */
-async function letGo(editor) {
-  const { x, y } = await editor.besideTheFace();
+async function clearSelection(editor) {
+  const { x, y } = await editor.emptyPoint();
   await editor.page.mouse.click(x, y);
   await editor.page.mouse.move(4, 4);
 }

@@ -17,8 +17,8 @@ for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
     const { bytes, name } = await fileOf(editor);
     const fresh = await controls(page);
 
-    await editor.chooseRegion("left-brow");
-    await editor.offset("y", 3);
+    await editor.selectRegion("left-brow");
+    await editor.setOffset("y", 3);
     await editor.unfold("section-face");
     await page.fill("#symmetrise-share", "80");
     await editor.unfold("section-export");

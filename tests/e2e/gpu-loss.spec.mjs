@@ -1,9 +1,9 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
-import { crashGpu, watchGpus } from "./watches.mjs";
+import { crashGpu, recordGpus } from "./watches.mjs";
 
-test.use({ visit: { scripts: [watchGpus] } });
+test.use({ visit: { scripts: [recordGpus] } });
 
 for (const [{ drawn, needs }, tag] of alike([
   { drawn: "WebGPU", needs: "eyes" },
@@ -17,7 +17,7 @@ for (const [{ drawn, needs }, tag] of alike([
     await page.waitForFunction((gpus) => window.gpus.length > gpus, gpus);
     assert.ok(difference(before.view, await editor.view()) < 0.001, "the view has changed");
     assert.deepEqual(await editor.meshJson("mm"), before.mesh);
-    await editor.offset("y", 9);
+    await editor.setOffset("y", 9);
     assert.ok(difference(before.view, await editor.view()) > 0.002, "edits no longer change the picture");
     await page.click("#toolbar [data-action='undo']");
     assert.deepEqual(await editor.meshJson("mm"), before.mesh);
@@ -31,7 +31,7 @@ test("while the WebGL2 context is lost a notice appears and edits continue; they
   const canvas = page.locator("#viewport");
   const extension = await canvas.evaluateHandle((canvas) => canvas.getContext("webgl2").getExtension("WEBGL_lose_context"));
   await extension.evaluate((extension) => extension.loseContext());
-  await editor.offset("y", 9);
+  await editor.setOffset("y", 9);
   const { code, text } = await editor.notice();
   assert.equal(code, "device-lost");
   assert.match(text, /work is saved/);

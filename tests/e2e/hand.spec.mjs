@@ -14,8 +14,8 @@ const MOUTH_CORNERS = [61, 291];
 
 test("hovering a landmark highlights and names it, and leaving it clears both", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
-  const tip = await editor.tagged();
-  const beside = await editor.besideTheFace();
+  const tip = await editor.tagPosition();
+  const beside = await editor.emptyPoint();
   await page.mouse.click(beside.x, beside.y);
   assert.ok(await page.isHidden("#landmark-tag"));
   assert.ok(await page.evaluate(() => document.activeElement?.matches("#viewport:not(:focus-visible)")));
@@ -35,16 +35,16 @@ for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])
   test(`a landmark follows the pointer in the view plane, more slowly with Shift, and shows its influence: ${points} points`, { tag: ["@eyes", ...tag] }, async ({ editor, page }) => {
     await page.selectOption("#density", density, { force: true });
     await editor.findLandmark("nose tip");
-    const tip = await editor.tagged();
+    const tip = await editor.tagPosition();
     const start = await editor.meshJson("mm");
     assert.equal(start.positions.length, points);
     await editor.grab(tip, { x: 0, y: -40 });
     const moving = await editor.view();
     assert.ok(colourCount(moving) > 40);
-    const seen = await editor.tagged();
+    const seen = await editor.tagPosition();
     assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
     await page.mouse.up();
-    const around = await editor.onView({ x: tip.x, y: tip.y - 40 });
+    const around = await editor.toViewPixels({ x: tip.x, y: tip.y - 40 });
     assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the influence is not displayed");
     const moved = await editor.meshJson("mm");
     const usual = way(start, moved, NOSE_TIP);
@@ -63,10 +63,10 @@ for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])
 }
 
 test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
-  await editor.reach("#mirror");
+  await editor.reveal("#mirror");
   await page.uncheck("#mirror");
   await editor.findLandmark("nose tip");
-  const tip = await editor.tagged();
+  const tip = await editor.tagPosition();
   const start = await editor.meshJson("mm");
   for (const [axis, key] of ["x", "y", "z"].entries()) {
     await editor.grab(tip, { x: 10, y: -10 });
@@ -97,7 +97,7 @@ test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@e
 
 test("the wheel changes the influence radius during a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
-  const tip = await editor.tagged();
+  const tip = await editor.tagPosition();
   const start = await editor.meshJson("mm");
   await editor.grab(tip, { x: 0, y: -30 });
   const radius = page.locator("#radius input[type=number]");
@@ -129,43 +129,43 @@ test("the wheel changes the influence radius during a drag, which stays one edit
 test("with mirroring the other side follows, and the symmetry plane is drawn during a drag", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark(String(MOUTH_CORNERS[0]));
   const start = await editor.meshJson("mm");
-  await editor.offset("x", -4);
+  await editor.setOffset("x", -4);
   const apart = await editor.meshJson("mm");
   const [right, left] = MOUTH_CORNERS.map((corner) => way(start, apart, corner)[0]);
   assert.ok(Math.abs(right + 4) < 1e-9 && Math.abs(left - 4) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
 
   // The forehead, which an edit of the mouth does not change.
-  const forehead = await editor.landmarkPlace(FOREHEAD);
-  const corner = await editor.landmarkPlace(MOUTH_CORNERS[0]);
+  const forehead = await editor.landmarkPosition(FOREHEAD);
+  const corner = await editor.landmarkPosition(MOUTH_CORNERS[0]);
   const plain = await editor.view();
   const whileDragging = async () => {
     await editor.grab(corner, { x: 0, y: 20 });
     const seen = await editor.view();
     await page.keyboard.press("Escape");
     await page.mouse.up();
-    return differenceNear(plain, seen, await editor.onView(forehead), 6);
+    return differenceNear(plain, seen, await editor.toViewPixels(forehead), 6);
   };
   assert.ok((await whileDragging()) > 0, "the symmetry plane is not drawn");
-  await editor.reach("#mirror");
+  await editor.reveal("#mirror");
   await page.uncheck("#mirror");
   assert.equal(await whileDragging(), 0, "the symmetry plane is drawn without mirroring");
-  await editor.offset("x", -4);
+  await editor.setOffset("x", -4);
   assert.ok(Math.abs(way(start, await editor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
 });
 
 test("Alt and a click pin a landmark, which then stays in place, and unpin it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark(String(MOUTH_CORNERS[0]));
-  const corner = await editor.tagged();
+  const corner = await editor.tagPosition();
   await editor.findLandmark("nose tip");
   const unpinned = await editor.view();
   await page.keyboard.down("Alt");
   await page.mouse.click(corner.x, corner.y);
-  assert.equal(await editor.landmark(), NOSE_TIP);
+  assert.equal(await editor.selectedLandmark(), NOSE_TIP);
   assert.ok((await editor.anchors()).includes(MOUTH_CORNERS[0]));
   assert.ok(difference(unpinned, await editor.view()) > 0, "no pin is drawn");
   const start = await editor.meshJson("mm");
-  await editor.offset("y", -5);
+  await editor.setOffset("y", -5);
   assert.ok(Math.hypot(...way(start, await editor.meshJson("mm"), MOUTH_CORNERS[0])) < 1e-9);
   await page.mouse.click(corner.x, corner.y);
   await page.keyboard.up("Alt");
@@ -174,24 +174,24 @@ test("Alt and a click pin a landmark, which then stays in place, and unpin it", 
 
 test("each operator and constraint has a description and gives the command line's result", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
-  const said = new Set();
+  const helps = new Set();
   const operators = await page.locator("#operator option").evaluateAll((options) => options.map((option) => option.value));
   assert.ok(operators.length >= 6 && operators.includes("cotangent-mass"), operators.join(" "));
   for (const operator of operators) {
-    await editor.reach("#operator");
+    await editor.reveal("#operator");
     await page.selectOption("#operator", operator);
-    said.add(await page.innerText("#operator-help"));
+    helps.add(await page.innerText("#operator-help"));
     const [hold, weight] = operator === "degree" ? ["soft", "1"] : ["exact", "exact"];
     await page.selectOption("#constraint", hold);
-    said.add(await page.innerText("#constraint-help"));
-    await editor.offset("z", 6);
+    helps.add(await page.innerText("#constraint-help"));
+    await editor.setOffset("z", 6);
     const options = `--units mm --topology canonical --operator ${operator} --constraint ${weight} --anchors oval --radius 25 --mirror --edit 1:0,0,6`;
     assertSameMesh(await editor.meshJson("mm"), await meshByCommandLine(SAMPLE, options.split(" ")));
     await page.click("#toolbar [data-action='undo']");
   }
-  assert.equal(said.size, operators.length + 2);
-  assert.ok(!said.has(""));
+  assert.equal(helps.size, operators.length + 2);
+  assert.ok(!helps.has(""));
   assert.ok(!(await page.isChecked("input[name='preset'][value='paper']")));
-  await editor.prefer("sculpt");
+  await editor.choosePreset("sculpt");
   assert.equal(await page.inputValue("#operator"), "cotangent");
 });

@@ -1,5 +1,5 @@
 /** Delays a file until `deliver` is called. @param {string} file */
-export function withHeld(file) {
+export function delayFile(file) {
   let deliver = () => {};
   const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
   const before = (/** @type {import("@playwright/test").BrowserContext} */ context) =>

@@ -24,20 +24,20 @@ test("an unedited photo is saved unchanged; edits stay within the falloff band a
   await visitor.dropSample();
   const before = await sample();
   assert.deepEqual((await photoOf(visitor)).data, before.data);
-  await visitor.slide("nose-width", -4);
-  await visitor.slide("jaw-width", -6);
+  await visitor.setSlider("nose-width", -4);
+  await visitor.setSlider("jaw-width", -6);
   const after = await photoOf(visitor);
   assert.ok(differenceNear(before, after, NOSE, 12) > 0.1, "the nose has not changed");
   const box = differingBox(before, after);
   assert.ok(box.left >= REACH.left && box.top >= REACH.top && box.right <= REACH.right && box.bottom <= REACH.bottom, JSON.stringify(box));
-  await visitor.slide("chin-length", 6);
+  await visitor.setSlider("chin-length", 6);
   const sliders = ["nose-width:-4", "jaw-width:-6", "chin-length:6"].flatMap((slider) => ["--slider", slider]);
   const step = largestStep(await photoOf(visitor), await byCommandLine(sliders));
   assert.ok(step <= 1, String(step));
 });
 
 test("a wider falloff band moves more of the photo", { tag: "@rare" }, async ({ editor }) => {
-  await editor.slide("face-length", 8);
+  await editor.setSlider("face-length", 8);
   const widths = [];
   for (const share of [10, 35, 80]) {
     await editor.unfold("section-in-photo");
@@ -71,7 +71,7 @@ test("a transparent photo stays transparent as PNG, and becomes white as JPEG", 
   }
   await visitor.drop(PNG.sync.write(before), "cut-out.png");
   await visitor.untilFace();
-  await visitor.slide("nose-width", -4);
+  await visitor.setSlider("nose-width", -4);
   const after = await photoOf(visitor);
   for (const [x, alpha] of [[9, 255], [before.width - 9, 0]]) assert.equal(after.data[4 * (40 * before.width + x) + 3], alpha, `alpha at ${x}`);
   const { colour } = await decoded(visitor.page, await visitor.download("download-photo-jpeg"));
@@ -82,7 +82,7 @@ test("a 12-megapixel photo is saved at full size, upright and without EXIF data"
   await visitor.drop(withExif(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 })), "selfie.jpg");
   await visitor.untilFace();
   const before = await photoOf(visitor);
-  await visitor.slide("nose-width", -4);
+  await visitor.setSlider("nose-width", -4);
   const after = await photoOf(visitor);
   assert.deepEqual([after.width, after.height], [4000, 3000]);
   const box = differingBox(before, after);

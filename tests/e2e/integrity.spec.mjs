@@ -6,15 +6,15 @@ import { faceless } from "./pictures.mjs";
 import { DIST } from "./server.mjs";
 
 /** Files that the worker requires. */
-const OF_THE_WORKER = ["assets/face_detector.onnx", "assets/face_landmarks_attention.onnx", "wasm/rosto-vision-web_bg.wasm"];
+const WORKER_FILES = ["assets/face_detector.onnx", "assets/face_landmarks_attention.onnx", "wasm/rosto-vision-web_bg.wasm"];
 
-for (const [file, tag] of alike(OF_THE_WORKER)) {
+for (const [file, tag] of alike(WORKER_FILES)) {
   test(`a ${path.extname(file)} with a flipped bit is not used (${path.basename(file)}), and the work stays`, { tag }, async ({ visitor, page, server }) => {
     await visitor.dropSample();
     await visitor.move("nose tip", "z", 7);
     const work = await visitor.meshJson("mm");
 
-    const asked = await damage(server, file);
+    const requests = await damage(server, file);
     const [dying] = page.workers();
     const next = page.waitForEvent("worker");
     await dying.evaluate(() => self.close()).catch(() => {});
@@ -23,10 +23,10 @@ for (const [file, tag] of alike(OF_THE_WORKER)) {
     const { code, text } = await visitor.notice();
     assert.equal(code, "not-as-built");
     assert.match(text, /failed its integrity check.*Reload the page.*your work is still here/s);
-    assert.ok(asked.length >= 2, "the file was not requested again");
-    await visitor.speak("pt");
+    assert.ok(requests.length >= 2, "the file was not requested again");
+    await visitor.setLanguage("pt");
     assert.match((await visitor.notice()).text, /não passou na verificação de integridade.*Recarregue/s);
-    await visitor.speak("en");
+    await visitor.setLanguage("en");
     assert.deepEqual(await visitor.meshJson("mm"), work);
 
     server.disturb();
@@ -48,10 +48,10 @@ for (const [file, tag] of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.jso
 }
 
 test("after one damaged response the file is requested again without a notice", async ({ open, server }) => {
-  const asked = await damage(server, OF_THE_WORKER[0], 1);
+  const requests = await damage(server, WORKER_FILES[0], 1);
   const visitor = await open();
   await visitor.dropSample();
-  assert.ok(asked.length >= 2);
+  assert.ok(requests.length >= 2);
   assert.ok(await visitor.page.isHidden("#notice"));
 });
 
@@ -62,13 +62,13 @@ async function damage(server, file, times = Infinity) {
   const place = file.endsWith(".json") ? bytes.indexOf("sha256-") + 9 : bytes.length - 2000;
   bytes[place] ^= 1;
   const type = file.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";
-  const asked = [];
+  const requests = [];
   server.disturb((name, response) => {
     if (name !== file) return false;
-    asked.push(name);
-    if (asked.length > times) return false;
+    requests.push(name);
+    if (requests.length > times) return false;
     response.writeHead(200, { "content-type": type }).end(bytes);
     return true;
   });
-  return asked;
+  return requests;
 }

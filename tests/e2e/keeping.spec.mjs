@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
-import { untilKept } from "./kept.mjs";
+import { untilSaved } from "./kept.mjs";
 import { refuseDatabase } from "./watches.mjs";
 
 /** Number field of the selected landmark's z offset, in mm. */
@@ -9,17 +9,17 @@ const NOSE_OUT = "#landmark-sliders [data-axis='z'] input[type=number]";
 test("an edit just before a reload or before closing the tab is saved", async ({ visitor, page }) => {
   await visitor.openFace();
   await visitor.move("nose tip", "z", 3);
-  await untilKept(page);
+  await untilSaved(page);
 
   await typeAndReload(page, 7);
   await visitor.resume();
   assert.equal(await noseOut(visitor), 7);
 
-  await untilKept(page);
+  await untilSaved(page);
   await page.fill(NOSE_OUT, "-5");
   await page.press(NOSE_OUT, "Enter");
   await page.close({ runBeforeUnload: true });
-  const next = await visitor.anotherTab();
+  const next = await visitor.openTab();
   await next.resume();
   assert.equal(await noseOut(next), -5);
   await next.page.click("#toolbar [data-action='undo']");

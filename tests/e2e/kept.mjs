@@ -1,13 +1,13 @@
 import { expect } from "@playwright/test";
 
-/** @typedef {{ slot: string, name: string | undefined, isHeld: boolean, edits: string, order: number }} Kept */
+/** @typedef {{ slot: string, name: string | undefined, isLocked: boolean, edits: string, order: number }} StoredWork */
 
 /**
  * Saved works in the browser's database that have a face, and whether a tab holds the lock of each.
  *
- * @returns {Promise<Kept[]>}
+ * @returns {Promise<StoredWork[]>}
  */
-export function keptWorks(page) {
+export function storedWorks(page) {
   return page.evaluate(async () => {
     const answer = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
     const database = await answer(indexedDB.open("rosto"));
@@ -16,9 +16,9 @@ export function keptWorks(page) {
     const [slots, done, keys, all] = await Promise.all([doneTo.getAllKeys(), doneTo.getAll(), faces.getAllKeys(), faces.getAll()].map(answer));
     database.close();
     const { held } = await navigator.locks.query();
-    const isHeld = (slot) => held.some(({ name }) => name === `rosto-slot-${slot}`);
+    const isLocked = (slot) => held.some(({ name }) => name === `rosto-slot-${slot}`);
     const face = (slot) => all[keys.indexOf(slot)];
-    const works = slots.map((slot, place) => ({ slot, ...done[place], name: face(slot)?.name, isHeld: isHeld(slot) }));
+    const works = slots.map((slot, place) => ({ slot, ...done[place], name: face(slot)?.name, isLocked: isLocked(slot) }));
     return works.filter(({ slot }) => keys.includes(slot));
   });
 }
@@ -29,7 +29,7 @@ export function keptWorks(page) {
  * @param {import("@playwright/test").Page} page
  * @param {((stores: Record<"faces" | "done", IDBObjectStore>) => unknown) | string} change function or its source, runs in the page
  */
-export function changeKept(page, change) {
+export function changeStorage(page, change) {
   return page.evaluate(`(${inDatabase})(${change})`);
 }
 
@@ -47,12 +47,12 @@ async function inDatabase(change) {
  * Waits until the database contains the page's current work, and at least `count` works. The page saves when it is
  * hidden.
  */
-export async function untilKept(page, count = 1) {
-  const unkept = await page.evaluate(hide);
+export async function untilSaved(page, count = 1) {
+  const unsaved = await page.evaluate(hide);
   await expect(async () => {
-    const works = await keptWorks(page);
+    const works = await storedWorks(page);
     expect(works.length).toBeGreaterThanOrEqual(count);
-    if (unkept) expect(works).toContainEqual(expect.objectContaining(unkept));
+    if (unsaved) expect(works).toContainEqual(expect.objectContaining(unsaved));
   }).toPass({ timeout: 20_000 });
 }
 
@@ -62,8 +62,8 @@ function hide() {
   Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });
   document.dispatchEvent(new Event("visibilitychange"));
   Reflect.deleteProperty(document, "visibilityState");
-  const spoken = Object.keys(localStorage).find((key) => key.startsWith("rosto-drafts-") && localStorage[key] !== before[key]);
-  if (!spoken) return undefined;
-  const { order: _, ...unkept } = JSON.parse(localStorage[spoken]);
-  return unkept;
+  const draftKey = Object.keys(localStorage).find((key) => key.startsWith("rosto-drafts-") && localStorage[key] !== before[key]);
+  if (!draftKey) return undefined;
+  const { order: _, ...unsaved } = JSON.parse(localStorage[draftKey]);
+  return unsaved;
 }

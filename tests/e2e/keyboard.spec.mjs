@@ -17,7 +17,7 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   assert.match(await page.innerText("#announcement"), /nose tip · \d+ selected/i);
   const before = await visitor.meshJson("mm");
 
-  await visitor.reach("#landmark-sliders");
+  await visitor.reveal("#landmark-sliders");
   await page.focus("#landmark-sliders [data-axis='z'] input[type=range]");
   for (let press = 0; press < 10; press++) await page.keyboard.press("ArrowRight");
   assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "1");
@@ -29,7 +29,7 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   await page.keyboard.press("Control+Shift+z");
   assert.notDeepEqual(await visitor.meshJson("mm"), before);
 
-  await visitor.reach("#landmark-sliders");
+  await visitor.reveal("#landmark-sliders");
   await page.focus("#landmark-sliders [data-axis='y'] input[type=number]");
   await page.keyboard.type("3");
   await page.keyboard.press("Enter");
@@ -52,7 +52,7 @@ test("the skip link leads to the search on each tab", { tag: "@rare" }, async ({
     await page.keyboard.press("Enter");
     await page.keyboard.type(name);
     await page.keyboard.press("Enter");
-    assert.equal(await editor.landmark(), landmark);
+    assert.equal(await editor.selectedLandmark(), landmark);
     await page.click("#tab-view");
   }
 });

@@ -1,31 +1,31 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
-import { AUDIENCES } from "./audiences.mjs";
+import { WINDOW_SIZES } from "./audiences.mjs";
 import { findings } from "./boxes.mjs";
 import { chinFindings } from "./chin.mjs";
 import { alike, test } from "./fixtures.mjs";
-import { STATES, withHeldWork, wrongWith } from "./states.mjs";
+import { STATES, allowDelayedReplies, problemsOf } from "./states.mjs";
 
 /** Windows smaller than the common ones, and the states tested in them. */
 const SMALL = [{ width: 320, height: 568 }, { width: 640, height: 360 }];
 const SEEN_SMALL = STATES.filter(({ id }) => ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"].includes(id));
 
 const WINDOWS = [
-  ...alike(AUDIENCES.map(({ options }) => ({ ...options, states: STATES }))),
+  ...alike(WINDOW_SIZES.map(({ options }) => ({ ...options, states: STATES }))),
   ...alike(SMALL.map((viewport) => ({ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }))),
 ];
 
 for (const [{ states, ...options }, tag] of WINDOWS) {
   const { width, height } = options.viewport;
   test(`in a window of ${width} × ${height}, nothing overlaps or is cut or covered in either language`, { tag }, async ({ open }) => {
-    const visitor = await open({ ...options, colorScheme: "light", before: withHeldWork });
+    const visitor = await open({ ...options, colorScheme: "light", before: allowDelayedReplies });
     /** Each finding with the first state that has it. @type {Map<string, string>} */
     const found = new Map();
     for (const state of states) {
       await state.enter(visitor);
       for (const language of ["en", "pt"]) {
-        await visitor.speak(language);
-        for (const what of await wrongWith(visitor, state)) found.set(what, found.get(what) ?? `${state.id}, ${language}`);
+        await visitor.setLanguage(language);
+        for (const what of await problemsOf(visitor, state)) found.set(what, found.get(what) ?? `${state.id}, ${language}`);
       }
       await state.leave?.(visitor);
     }
@@ -36,7 +36,7 @@ for (const [{ states, ...options }, tag] of WINDOWS) {
 test("the face stays within the uncovered part of the stage when the window changes", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await open({ colorScheme: "light" });
   await visitor.openFace();
-  for (const { id, options } of [...AUDIENCES, ...AUDIENCES.toReversed()]) {
+  for (const { id, options } of [...WINDOW_SIZES, ...WINDOW_SIZES.toReversed()]) {
     await visitor.page.setViewportSize(options.viewport);
     // The camera is animated.
     await expect.poll(() => chinFindings(visitor), { message: id }).toEqual([]);

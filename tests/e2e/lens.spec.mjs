@@ -47,9 +47,9 @@ for (const lens of ["parallel", "near"]) {
     await page.focus("#viewport");
     for (const key of ["ArrowLeft", "ArrowUp", "Alt+ArrowUp"]) await page.keyboard.press(key);
     await editor.frames(3);
-    const { lit, turned } = await editor.takeAtEach(7);
-    assert.ok(lit >= 7, `${lit} points are highlighted`);
-    assert.deepEqual(turned, [], "highlighted points that a press does not grab");
+    const { highlighted, mismatches } = await editor.dragAtEach(7);
+    assert.ok(highlighted >= 7, `${highlighted} points are highlighted`);
+    assert.deepEqual(mismatches, [], "highlighted points that a press does not grab");
   });
 }
 
@@ -60,7 +60,7 @@ test("with the photo's lens, the mesh matches the photo, and the lens is saved",
   const pairs = [];
   for (const landmark of ALL_OVER) {
     const [x, y] = positions[landmark];
-    pairs.push({ photo: { x: x * width, y: y * height }, seen: await editor.landmarkPlace(landmark) });
+    pairs.push({ photo: { x: x * width, y: y * height }, seen: await editor.landmarkPosition(landmark) });
   }
   const [nose, chin] = pairs;
   const scale = (chin.seen.y - nose.seen.y) / (chin.photo.y - nose.photo.y);
@@ -73,6 +73,6 @@ test("with the photo's lens, the mesh matches the photo, and the lens is saved",
   await editor.resume();
   await editor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='as-taken']"));
-  const again = await editor.landmarkPlace(ALL_OVER[0]);
+  const again = await editor.landmarkPosition(ALL_OVER[0]);
   assert.ok(Math.hypot(again.x - nose.seen.x, again.y - nose.seen.y) < 1.5, `the nose is at ${again.x}, ${again.y}`);
 });

@@ -2,12 +2,12 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
-import { camera, watchCamera } from "./camera-watch.mjs";
+import { camera, recordCamera } from "./camera-watch.mjs";
 import { portraitLandmarks } from "./video.mjs";
-import { FRAMES_PER_S, HEIGHT_PX, SPEED_PX_S, WIDTH_PX, carried, numberOf, placeIn } from "./video-frames.mjs";
+import { FRAMES_PER_S, HEIGHT_PX, SPEED_PX_S, WIDTH_PX, mapToFrame, numberOf, poseIn } from "./video-frames.mjs";
 import { test } from "./fixtures.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
-import { dieBefore } from "./watches.mjs";
+import { crashBefore } from "./watches.mjs";
 
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
 /** @typedef {import("./pixels.mjs").Pixels} Pixels */
@@ -17,11 +17,11 @@ const NOSE_MM = 5;
 /** Maximum delay of the edit behind the face. */
 const LAG_S = 0.06;
 
-test.use({ visit: { expert: true, scripts: [watchCamera, watchFrames] } });
+test.use({ visit: { expert: true, scripts: [recordCamera, watchFrames] } });
 
 test("the live preview mirrors the camera and shows the edits on the face", { tag: "@seen-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.slide("nose-width", NOSE_MM);
+  await visitor.setSlider("nose-width", NOSE_MM);
   await openLivePreview(visitor);
   assert.ok((await figures(visitor)).frames > 0);
 
@@ -44,7 +44,7 @@ test("the live preview mirrors the camera and shows the edits on the face", { ta
     assert.ok(right > left + 100, `the preview is not mirrored: ${left}, ${right}`);
 
     const number = numberOf(unedited);
-    const [x, y] = carried(placeIn(number), nose);
+    const [x, y] = mapToFrame(poseIn(number), nose);
     assert.ok(differenceNear(now, unedited, { x, y }, 24) > 0.1, "the nose has not changed");
     for (const [cx, cy] of [[40, 40], [600, 40], [40, 400], [600, 440]]) {
       assert.equal(differenceNear(now, unedited, { x: cx, y: cy }, 24), 0, "a corner of the video has changed");
@@ -58,10 +58,10 @@ test("the live preview mirrors the camera and shows the edits on the face", { ta
 
 test("the live preview can be saved as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
-  await visitor.slide("nose-width", NOSE_MM);
+  await visitor.setSlider("nose-width", NOSE_MM);
   await openLivePreview(visitor);
   // An edit made during the preview is saved, too.
-  await visitor.slide("eye-size", 2);
+  await visitor.setSlider("eye-size", 2);
   await page.click("#live-save");
   await page.waitForSelector("#live", { state: "hidden" });
   await page.waitForSelector("#previous-face:visible");
@@ -103,7 +103,7 @@ test("the live preview handles lost faces, worker crashes and hidden pages", { t
   await page.evaluate(() => (window.isBlank = false));
   await page.waitForSelector("#live-save:enabled");
 
-  await page.workers()[0].evaluate(dieBefore, "followed");
+  await page.workers()[0].evaluate(crashBefore, "followed");
   assert.equal((await visitor.notice()).code, "worker-died");
   await page.waitForSelector("#live-save:enabled");
 

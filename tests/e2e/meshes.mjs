@@ -31,7 +31,7 @@ export function assertSameMesh(seen, wanted) {
  * Asserts that a mesh was restored from a file. Colours are compared at the landmarks only, because the file holds the
  * photo as JPEG or not at all.
  */
-export function assertCameBack({ colors: come, ...seen }, { colors: had, ...wanted }) {
+export function assertRestored({ colors: come, ...seen }, { colors: had, ...wanted }) {
   assert.deepEqual(seen, wanted);
   assert.deepEqual(come.slice(0, LANDMARKS), had.slice(0, LANDMARKS));
   assert.equal(come.length, had.length);

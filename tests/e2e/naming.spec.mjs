@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
-import { untilKept } from "./kept.mjs";
+import { untilSaved } from "./kept.mjs";
 
 test.use({ visit: { expert: true } });
 
@@ -16,7 +16,7 @@ test("files are named after the photo, also after a reload and from saved files"
   const glb = await visitor.download("download-glb");
   const project = await visitor.download("save-project");
 
-  await visitor.comeBack();
+  await visitor.reloadAndResume();
   assert.equal(await nameOf(visitor, "save-project"), "ana Rio 7.2.rosto");
 
   // A renamed file keeps its name, without repeating the number of points.
@@ -53,7 +53,7 @@ test("the sample has a thumbnail that causes no layout shift or request; returni
   await visitor.untilLoaded();
   visitor.requests.length = 0;
   await page.reload();
-  await visitor.untilItAnswers();
+  await visitor.untilInteractive();
   const sample = page.locator("#welcome [data-action='sample']");
   const before = await sample.boundingBox();
   await visitor.untilLoaded();
@@ -69,7 +69,7 @@ test("the sample has a thumbnail that causes no layout shift or request; returni
   await visitor.untilFace();
   assert.equal(await nameOf(visitor, "save-project"), "sample.rosto");
 
-  await untilKept(page);
+  await untilSaved(page);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   await visitor.untilLoaded();

@@ -1,15 +1,15 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "./fixtures.mjs";
-import { assertCameBack } from "./meshes.mjs";
+import { assertRestored } from "./meshes.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { watchWorkers } from "./watches.mjs";
+import { recordWorkers } from "./watches.mjs";
 
 /** 12 megapixels. */
 const LARGE = { width: 4000, height: 3000 };
 
-test.use({ visit: { scripts: [watchWorkers] } });
+test.use({ visit: { scripts: [recordWorkers] } });
 
 test("a small photo or a GLB replaces a large photo that is still being read", async ({ visitor, page }) => {
   const portrait = await readFile(SAMPLE);
@@ -36,14 +36,14 @@ test("a small photo or a GLB replaces a large photo that is still being read", a
   // The worker has still replied to the photo.
   await untilFound(visitor, 5);
   assert.deepEqual(await visitor.history(), history);
-  assertCameBack(await visitor.meshJson("mm"), mesh);
+  assertRestored(await visitor.meshJson("mm"), mesh);
   assert.ok(await page.isHidden("#notice"));
   assert.ok(await page.isHidden("#progress"));
 });
 
 /** Waits until the worker has replied for `count` photos. */
 async function untilFound(visitor, count) {
-  await visitor.page.waitForFunction((count) => window.workersSaid.filter((type) => type === "found").length === count, count);
+  await visitor.page.waitForFunction((count) => window.workerMessages.filter((type) => type === "found").length === count, count);
   await visitor.frames(5);
 }
 

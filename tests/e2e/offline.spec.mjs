@@ -9,7 +9,7 @@ test.use({ visit: { serviceWorkers: "allow" } });
 const NOT_NOW = "<!doctype html><title>No</title><p>Not now.";
 
 /** @type {Record<string, import("./server.mjs").Disturbance>} */
-const TROUBLES = {
+const FAULTS = {
   "answers each request with 503": (_, response) => send(response, 503, NOT_NOW),
   "has lost its files": (_, response) => send(response, 404, NOT_NOW),
   "accepts connections and does not answer": () => true,
@@ -19,7 +19,7 @@ const TROUBLES = {
   "sends an HTML page for each file": (name, response) => name !== "" && send(response, 200, "<title>Welcome aboard</title>"),
 };
 
-for (const [[what, disturbance], tag] of [[["is unreachable"], []], ...alike(Object.entries(TROUBLES))]) {
+for (const [[what, disturbance], tag] of [[["is unreachable"], []], ...alike(Object.entries(FAULTS))]) {
   test(`the stored page works with a server that ${what}`, { tag }, async ({ visitor, page, server }) => {
     await visitor.untilLoaded();
     server.disturb(disturbance);
@@ -66,7 +66,7 @@ test("a page of a newer version loads its files from the network, or reports tha
   server.disturb((name, response) => (name === "" ? send(response, 200, newer) : name === "words/en.json" && send(response, 503, NOT_NOW)));
   await page.reload();
   await page.waitForSelector("#not-started");
-  assert.equal(visitor.broken.splice(0).length, 1, "the page reports what did not load");
+  assert.equal(visitor.errors.splice(0).length, 1, "the page reports what did not load");
 
   // The older version is still complete.
   server.disturb(() => true);

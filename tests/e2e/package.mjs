@@ -29,7 +29,7 @@ async function install() {
 }
 
 /** Output of tsc for a module that uses the installed package. @param {string} name @param {string} text @param {string[]} options */
-export async function complaints(name, text, options) {
+export async function tscOutput(name, text, options) {
   await installed();
   await writeFile(path.join(SITE, name), text);
   const tsc = path.join(ROOT, "node_modules/.bin/tsc");

@@ -9,14 +9,14 @@ const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile:
 test.use({ visit: DESKTOP });
 
 test("the panel's sections go from photo to sliders, editing by hand and history, and end with expert settings", async ({ editor, page }) => {
-  await editor.beExpert();
+  await editor.enableExpert();
   const headings = page.locator("#sections h2:not(.visually-hidden)").filter({ visible: true });
   await expect(headings).toHaveText(["Photo", "Proportions", "Expressions", "Move by hand", "In the photo", "History", "Expert settings"]);
   for (const id of ["operator", "constraint", "details", "anchors", "anchors-shown", "section-paper"]) {
     assert.ok(await page.isHidden(`#${id}`), id);
     assert.equal(await page.locator(`#section-advanced #${id}`).count(), 1, id);
   }
-  await editor.speak("pt");
+  await editor.setLanguage("pt");
   await expect(headings).toHaveText(["Foto", "Proporções", "Expressões", "Mover à mão", "Na foto", "Histórico", "Ajustes avançados"]);
 });
 
@@ -59,20 +59,20 @@ for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, ph
 }
 
 test("the presets show which one is active and what it does, or Custom", { tag: "@rare" }, async ({ editor, page }) => {
-  await editor.beExpert();
+  await editor.enableExpert();
   const segments = page.locator("[data-choice='preset'] span").filter({ visible: true });
   const custom = page.locator("input[name='preset'][value='custom']");
   await expect(segments).toHaveText(["Sculpt", "Research paper"]);
   assert.match(await page.innerText("#preset-help"), /exactly where you put it/);
-  await editor.prefer("paper");
+  await editor.choosePreset("paper");
   assert.match(await page.innerText("#preset-help"), /two random fixed points/);
-  await editor.reach("#mirror");
+  await editor.reveal("#mirror");
   await page.locator("#mirror").click();
   await expect(segments).toHaveText(["Sculpt", "Research paper", "Custom"]);
   assert.ok(await custom.isChecked());
   assert.ok(await custom.isDisabled(), "Custom can be chosen");
   assert.match(await page.innerText("#preset-help"), /own choices/);
-  await editor.prefer("sculpt");
+  await editor.choosePreset("sculpt");
   await expect(segments).toHaveText(["Sculpt", "Research paper"]);
   assert.ok(!(await custom.isChecked()));
 });
@@ -83,11 +83,11 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
     const { page } = visitor;
     await visitor.openFace();
     assert.equal((await page.locator("#panel").boundingBox()).width, panel_px);
-    await visitor.beExpert();
-    await visitor.reach("#mirror");
+    await visitor.enableExpert();
+    await visitor.reveal("#mirror");
     await page.locator("#mirror").click();
     for (const language of ["en", "pt"]) {
-      await visitor.speak(language);
+      await visitor.setLanguage(language);
       for (const tab of ["shape", "view", "export"]) {
         await page.click(`#tab-${tab}`);
         const heights = await page.locator(".choice-options span").filter({ visible: true }).evaluateAll((all) => all.map((span) => span.offsetHeight));
@@ -105,7 +105,7 @@ for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390],
     const { page } = visitor;
     await visitor.openFace();
     for (const language of ["en", "pt"]) {
-      await visitor.speak(language);
+      await visitor.setLanguage(language);
       for (const dialog of ["keys", "credits"]) {
         await page.dispatchEvent(`[data-action='open-${dialog}']`, "click");
         await expect(page.locator(`#${dialog}`)).toBeInViewport({ ratio: 1 });
@@ -149,7 +149,7 @@ test("the first steps show no jargon such as landmarks, their count or requests"
     assert.doesNotMatch(await page.innerText("body"), JARGON);
     assert.doesNotMatch(await page.textContent("#progress"), JARGON);
     await visitor.openFace();
-    await visitor.slide("nose-width", 2);
+    await visitor.setSlider("nose-width", 2);
     await visitor.unfold("section-photo");
     assert.doesNotMatch(await page.innerText("body"), JARGON);
   }

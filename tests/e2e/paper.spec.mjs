@@ -9,13 +9,13 @@ const TABLE_1 = [[218, 214], [3, 7], [399, 362], [364, 389], [366, 401], [393, 3
 test("the paper's experiment runs next to Table 1, gives the command line's results and leaves the work unchanged", async ({ visitor, page }) => {
   // The table includes the duration of face detection.
   await visitor.dropSample();
-  await visitor.slide("nose-width", 2);
+  await visitor.setSlider("nose-width", 2);
   const before = await visitor.meshJson("mm");
   await visitor.unfold("section-paper");
   await page.click("[data-action='run-paper']");
   // The page responds meanwhile.
   await page.waitForSelector("#paper-progress:not([hidden])");
-  await visitor.slide("jaw-width", 1);
+  await visitor.setSlider("jaw-width", 1);
   await page.click("#toolbar [data-action='undo']");
   await page.waitForSelector("#paper-results:not([hidden])", { timeout: 150_000 });
 

@@ -27,18 +27,18 @@ test("a click on the thumbnail opens the photo on the stage; the switch, P and a
   await editor.page.keyboard.press("p");
   assert.equal(await scene(editor), "picture");
   assert.equal(difference(photo, await editor.view()), 0);
-  await editor.drag(await editor.besideTheFace(), { x: 80, y: 0 });
+  await editor.drag(await editor.emptyPoint(), { x: 80, y: 0 });
   assert.equal(await scene(editor), "solid");
   assert.deepEqual(await editor.history(), []);
   await editor.page.keyboard.press("p");
   assert.equal(await scene(editor), "picture");
-  await editor.comeBack();
+  await editor.reloadAndResume();
   assert.equal(await scene(editor), "picture");
 });
 
 test("a point can be dragged on the photo, which changes only there", { tag: "@eyes" }, async ({ visitor }) => {
   await photoOnStage(visitor);
-  const nose = await visitor.landmarkPlace(4);
+  const nose = await visitor.landmarkPosition(4);
   await visitor.drag(nose, { x: 0, y: -24 });
   assert.equal(await scene(visitor), "picture");
   assert.equal((await visitor.history()).length, 1);
@@ -48,7 +48,7 @@ test("a point can be dragged on the photo, which changes only there", { tag: "@e
   const edited = await visitor.view();
   await visitor.page.keyboard.press("Control+z");
   const found = await visitor.view();
-  assert.ok(differenceNear(found, edited, await visitor.onView(nose), 40) > 0.1, "the nose has not moved");
+  assert.ok(differenceNear(found, edited, await visitor.toViewPixels(nose), 40) > 0.1, "the nose has not moved");
   assert.equal(differenceNear(found, edited, { x: 40, y: 40 }, 35), 0, "a corner of the photo has changed");
   await visitor.page.keyboard.press("Control+Shift+z");
   assert.equal(difference(edited, await visitor.view()), 0, "redo does not restore the edit");
@@ -57,9 +57,9 @@ test("a point can be dragged on the photo, which changes only there", { tag: "@e
 test("sliders, regions and the comparison work on the photo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const before = await visitor.view();
-  await visitor.slide("eye-size", 2);
-  await visitor.chooseRegion("nose");
-  await visitor.offset("y", 4);
+  await visitor.setSlider("eye-size", 2);
+  await visitor.selectRegion("nose");
+  await visitor.setOffset("y", 4);
   await visitor.page.focus("#viewport");
   await visitor.page.keyboard.press("Escape");
   const after = await visitor.view();
@@ -96,7 +96,7 @@ test("wide windows can show photo and 3D face next to each other, and a click on
     return { share: photo.width / stage.width, width: document.getElementById("photo-pane-canvas").width };
   });
   assert.ok(seen.share > 0.4 && seen.share < 0.55 && seen.width > 150, JSON.stringify(seen));
-  const nose = await visitor.landmarkPlace(4);
+  const nose = await visitor.landmarkPosition(4);
   assert.ok(nose.x > 1080 / 2, "the 3D face is not in the other half");
   await visitor.page.click("#photo-pane");
   assert.equal(await scene(visitor), "picture");
@@ -109,8 +109,8 @@ test("areas protected by the brush stay unchanged, have separate undo, and survi
   await photoOnStage(visitor);
   const photo = async () => PNG.sync.read(await visitor.download("download-photo-png"));
   const isOff = (/** @type {string} */ button) => visitor.page.isDisabled(button);
-  await visitor.slide("jaw-width", -8);
-  const jaw = await visitor.landmarkPlace(172);
+  await visitor.setSlider("jaw-width", -8);
+  const jaw = await visitor.landmarkPosition(172);
   const edited = await photo();
   await visitor.unfold("section-in-photo");
   await visitor.page.check("#brush", { force: true });
@@ -120,7 +120,7 @@ test("areas protected by the brush stay unchanged, have separate undo, and survi
   const kept = await photo();
   assert.ok(difference(edited, kept) > 0.0005, "the protected area follows the edit");
   assert.deepEqual(await visitor.history(), ["Jaw width"], "the stroke is in the history");
-  await visitor.comeBack();
+  await visitor.reloadAndResume();
   assert.equal(difference(kept, await photo()), 0, "the stroke was lost in the reload");
   await visitor.unfold("section-in-photo");
   await visitor.page.check("#brush", { force: true });
@@ -136,14 +136,14 @@ test("an edit along the view shows a note that offers a better view", { tag: "@r
   await photoOnStage(visitor);
   await visitor.findLandmark("nose tip");
   assert.ok(await visitor.page.isHidden("#depth-note"));
-  await visitor.offset("y", 3);
+  await visitor.setOffset("y", 3);
   assert.ok(await visitor.page.isHidden("#depth-note"), "a visible edit shows the note");
-  await visitor.offset("y", 0);
-  await visitor.offset("z", 9);
+  await visitor.setOffset("y", 0);
+  await visitor.setOffset("z", 9);
   assert.ok(await visitor.page.isVisible("#depth-note"));
   await visitor.page.click("[data-action='show-depth']");
   assert.equal(await scene(visitor), "solid");
   await visitor.frames(3);
-  const [tip, chin] = [await visitor.landmarkPlace(4), await visitor.landmarkPlace(152)];
+  const [tip, chin] = [await visitor.landmarkPosition(4), await visitor.landmarkPosition(152)];
   assert.ok(Math.abs(tip.x - chin.x) > 40, "the face is not seen from the side");
 });

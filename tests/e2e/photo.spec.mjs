@@ -16,7 +16,7 @@ const APART = /** @type {const} */ ([[151, [0, 200, 60]], [50, [30, 60, 255]], [
 const SIDE_PX = 512;
 
 /** Maximum size at which the panel shows a photo. */
-const MOST_SHOWN_PX = 640 * 320;
+const MAX_SHOWN_PX = 640 * 320;
 
 /** x of the nose in the portrait, as a fraction of the width. */
 const NOSE_IN_PORTRAIT = 0.44;
@@ -73,7 +73,7 @@ test("the hovered landmark is marked on the panel's photo and on the mesh", asyn
 });
 
 test("the main thread draws a large photo only at its displayed size", async ({ open }) => {
-  const visitor = await open({ scripts: [countDrawn] });
+  const visitor = await open({ scripts: [recordDrawnImages] });
   const { page } = visitor;
   // Before the host is open, an unscaled part of the photo is drawn.
   await visitor.untilLoaded();
@@ -83,14 +83,14 @@ test("the main thread draws a large photo only at its displayed size", async ({ 
   await visitor.frames(3);
   const drawn = await page.evaluate(() => globalThis.drawn);
   assert.ok(drawn.length >= 2, "neither the row's picture nor the photo is drawn");
-  assert.ok(Math.max(...drawn) <= MOST_SHOWN_PX, `pictures of ${drawn} px are drawn`);
+  assert.ok(Math.max(...drawn) <= MAX_SHOWN_PX, `pictures of ${drawn} px are drawn`);
 });
 
 /**
  * Runs in the page: records the size in px of each image passed to `drawImage` on a canvas element. Delays animation frames, so
  * that the panel also draws the photo before the first frame has applied the edits.
  */
-function countDrawn() {
+function recordDrawnImages() {
   const { requestAnimationFrame } = globalThis;
   globalThis.requestAnimationFrame = (act) => requestAnimationFrame(() => setTimeout(() => act(performance.now()), 200));
   const { drawImage } = CanvasRenderingContext2D.prototype;

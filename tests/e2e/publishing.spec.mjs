@@ -25,11 +25,11 @@ test("the page is served with its security headers, and all host configurations 
     assert.equal(headers["permissions-policy"], "camera=(self), microphone=(), geolocation=(), display-capture=(), fullscreen=()");
   }
 
-  const said = async (name, pattern) => [...String(await readFile(path.join(DIST, name))).matchAll(pattern)].map(([, name, value]) => [name, value]);
-  const plain = await said("_headers", /^ {2}([\w-]+): (.*)$/gm);
+  const headersIn = async (name, pattern) => [...String(await readFile(path.join(DIST, name))).matchAll(pattern)].map(([, name, value]) => [name, value]);
+  const plain = await headersIn("_headers", /^ {2}([\w-]+): (.*)$/gm);
   assert.equal(plain.length, 6);
-  assert.deepEqual(await said(".htaccess", /^ {2}Header always set ([\w-]+) "(.*)"$/gm), plain);
-  assert.deepEqual(await said("nginx.conf", /^add_header ([\w-]+) "(.*)" always;$/gm), plain);
+  assert.deepEqual(await headersIn(".htaccess", /^ {2}Header always set ([\w-]+) "(.*)"$/gm), plain);
+  assert.deepEqual(await headersIn("nginx.conf", /^add_header ([\w-]+) "(.*)" always;$/gm), plain);
   const { headers } = JSON.parse(String(await readFile(path.join(DIST, "vercel.json"))));
   assert.deepEqual(headers[0].headers.map(({ key, value }) => [key, value]), plain);
 });

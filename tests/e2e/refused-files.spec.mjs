@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { changedProject, glbOf, partsOfGlb, projectWithoutShape } from "./changed-files.mjs";
 import { test } from "./fixtures.mjs";
-import { changeKept, untilKept } from "./kept.mjs";
+import { changeStorage, untilSaved } from "./kept.mjs";
 
 /** @type {Record<string, (history: any) => void>} */
 const BAD_HISTORIES = {
@@ -32,14 +32,14 @@ const BAD_EXTRAS = [
 ];
 
 test("a project that cannot be opened leaves the face, its history and the saved work unchanged", async ({ editor }) => {
-  const project = await workOn(editor, "save-project");
+  const project = await editAndSave(editor, "save-project");
   const bad = BAD_HEADERS.map(([name, codes, change]) => ({ name, codes, file: changedProject(project, (header) => void change(header)) }));
   bad.push({ name: "a face without a shape", codes: ["bad-face", "bad-project"], file: projectWithoutShape(project) });
   await expectRefused(editor, bad, "face.rosto");
 });
 
 test("a GLB that cannot be opened leaves the face, its history and the saved work unchanged", { tag: "@rare" }, async ({ editor }) => {
-  const glb = await workOn(editor, "download-glb");
+  const glb = await editAndSave(editor, "download-glb");
   const bad = BAD_EXTRAS.map(([name, codes, change]) => {
     const parts = partsOfGlb(glb);
     change(parts.json.scenes[0].extras);
@@ -49,12 +49,12 @@ test("a GLB that cannot be opened leaves the face, its history and the saved wor
 });
 
 test("saved work with a damaged picture shows a notice, and the page stays usable", async ({ editor, page }) => {
-  await workOn(editor, "save-project");
-  await untilKept(page);
+  await editAndSave(editor, "save-project");
+  await untilSaved(page);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   for (const picture of ["new Blob([new Uint8Array(7)])", "undefined", '"a picture"']) {
-    await changeKept(page, `({ faces }) => (${spoilPicture})(faces, ${picture})`);
+    await changeStorage(page, `({ faces }) => (${replacePicture})(faces, ${picture})`);
     await page.click("#continue");
     const { code, text } = await editor.notice();
     assert.equal(code, "bad-kept-work", picture);
@@ -69,7 +69,7 @@ test("saved work with a damaged picture shows a notice, and the page stays usabl
 });
 
 /** Makes two edits and saves the face with an action. */
-async function workOn(visitor, action) {
+async function editAndSave(visitor, action) {
   await visitor.move("nose tip", "z", 9);
   await visitor.move("bottom of the chin", "y", -6);
   return visitor.download(action);
@@ -102,6 +102,6 @@ async function expectRefused(visitor, bad, fileName) {
 }
 
 /** Runs in the page: replaces the saved picture. */
-function spoilPicture(faces, picture) {
+function replacePicture(faces, picture) {
   faces.openCursor().onsuccess = ({ target }) => target.result.update({ ...target.result.value, picture });
 }

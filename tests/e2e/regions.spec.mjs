@@ -6,29 +6,29 @@ import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** The page's default edit options, as options of the command line. */
-const AS_THE_PAGE = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
+const PAGE_OPTIONS = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
 
 const NOSE_TIP = 1;
 const CHIN = 152;
 
 test("a region moves as one by its sliders, with its name, like on the command line", { tag: "@eyes" }, async ({ editor, page }) => {
-  await editor.chooseRegion("left-brow");
+  await editor.selectRegion("left-brow");
   assert.match(await page.innerText("#announcement"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
   const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
-  await editor.offset("y", 3);
-  await editor.offset("z", -1);
+  await editor.setOffset("y", 3);
+  await editor.setOffset("z", -1);
   assert.ok(difference(before.view, await editor.view()) > 0.002, "the picture did not change");
   assert.deepEqual(await editor.history(), ["left brow", "left brow"]);
   const steps = ["--region", "left-brow:0,3,0", "--region", "left-brow:0,0,-1"];
-  assertSameMesh(await editor.meshJson("mm"), await meshByCommandLine(SAMPLE, [...AS_THE_PAGE, ...steps]));
+  assertSameMesh(await editor.meshJson("mm"), await meshByCommandLine(SAMPLE, [...PAGE_OPTIONS, ...steps]));
 
   await page.selectOption("#language", "pt");
   assert.deepEqual(await editor.history(), ["sobrancelha esquerda", "sobrancelha esquerda"]);
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
 
   // The empty option is hidden, but scripts can choose it.
-  await editor.reach("#region");
+  await editor.reveal("#region");
   await page.selectOption("#region", "");
   assert.ok(await page.isHidden("#landmark-tag"), "the region is still selected");
   assert.ok(await page.isHidden("#notice"));
@@ -36,9 +36,9 @@ test("a region moves as one by its sliders, with its name, like on the command l
 
 test("a region's landmarks are marked, and it can be dragged by each of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
   await editor.findLandmark("nose tip");
-  const noseTip = await editor.tagged();
+  const noseTip = await editor.tagPosition();
   const bare = await editor.view();
-  await editor.chooseRegion("nose");
+  await editor.selectRegion("nose");
   assert.ok(difference(bare, await editor.view()) > 0.002, "the region is not marked");
   const start = await editor.meshJson("mm");
 
@@ -49,7 +49,7 @@ test("a region's landmarks are marked, and it can be dragged by each of them and
   assert.ok(tip[1] > 1 && Math.abs(tip[1] - wing[1]) < 1e-9, `${tip} and ${wing}`);
   assert.ok(Math.hypot(...chin) < tip[1] / 2, `the chin moved along: ${chin}`);
 
-  const middle = await editor.selectedPlace();
+  const middle = await editor.selectionPosition();
   await editor.drag({ x: middle.x, y: middle.y - 50 }, { x: 30, y: 20 });
   assert.deepEqual(await editor.history(), ["nose", "nose"]);
   const along = way(lifted, await editor.meshJson("mm"), NOSE_TIP);
@@ -58,10 +58,10 @@ test("a region's landmarks are marked, and it can be dragged by each of them and
 
 test("clicks select the region under the pointer, then a larger one, and landmark mode restores the landmark", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
-  const tip = await editor.tagged();
-  const beside = await editor.besideTheFace();
+  const tip = await editor.tagPosition();
+  const beside = await editor.emptyPoint();
   await page.mouse.click(beside.x, beside.y);
-  await editor.reach("#selection");
+  await editor.reveal("#selection");
   await page.check("input[name='selection'][value='region']", { force: true });
   assert.ok(await page.isHidden("#landmark-search"));
   const plain = await editor.view();
@@ -85,10 +85,10 @@ test("clicks select the region under the pointer, then a larger one, and landmar
 test("the selection is reset in one undoable step", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.move("bottom of the chin", "y", -6);
   const chin = await editor.meshJson("mm");
-  await editor.chooseRegion("nose");
+  await editor.selectRegion("nose");
   assert.ok(await page.isDisabled("[data-action='reset-selection']"));
-  await editor.offset("z", 4);
-  await editor.offset("y", 2);
+  await editor.setOffset("z", 4);
+  await editor.setOffset("y", 2);
   const both = await editor.meshJson("mm");
 
   await editor.unfold("section-history");

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { glbOf } from "./changed-files.mjs";
 import { alike, test } from "./fixtures.mjs";
-import { assertCameBack } from "./meshes.mjs";
+import { assertRestored } from "./meshes.mjs";
 import { colourCount, meanStep } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
@@ -12,7 +12,7 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
     await editor.move("nose tip", "z", 9);
     await editor.move("bottom of the chin", "y", -6);
     const work = await editor.meshJson("mm");
-    await editor.reach("#export-units");
+    await editor.reveal("#export-units");
     await page.check(`input[name="base-colour"][value="${paint}"]`, { force: true });
     const file = await editor.download("download-glb");
     // A click outside the face clears the selection and its marks.
@@ -22,7 +22,7 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
     await page.reload();
     await editor.drop(file, "rosto.glb");
     await editor.untilFace();
-    assertCameBack(await editor.meshJson("mm"), work);
+    assertRestored(await editor.meshJson("mm"), work);
     assert.equal(await page.locator("#history li").count(), 2);
     const opened = await editor.view();
     assert.ok(colourCount(opened) > 40, "the face was restored without its colours");
@@ -34,7 +34,7 @@ for (const [paint, tag] of alike(["photo", "colours"])) {
 
     for (const [action, mesh] of /** @type {const} */ ([["undo", unedited], ["redo", work]])) {
       for (let step = 0; step < 2; step++) await page.click(`#toolbar [data-action='${action}']`);
-      assertCameBack(await editor.meshJson("mm"), mesh);
+      assertRestored(await editor.meshJson("mm"), mesh);
     }
   });
 }

@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
-import { keptWorks, untilKept } from "./kept.mjs";
+import { storedWorks, untilSaved } from "./kept.mjs";
 import { meanStep } from "./pixels.mjs";
-import { panicIn } from "./watches.mjs";
+import { trapIn } from "./watches.mjs";
 
 test.use({ visit: { expert: true } });
 
@@ -14,29 +14,29 @@ for (const [{ drawn, needs, module }, tag] of alike([
     await editor.untilLoaded();
     const start = await workOn(editor);
     const work = await editor.meshJson("mm");
-    const stands = await standing(editor);
+    const choices = await readChoices(editor);
     await page.mouse.move(4, 4);
     const view = await editor.view();
 
-    await page.evaluate(spoil, `${module}.js`);
+    await page.evaluate(corruptMemory, `${module}.js`);
     const box = await page.locator("#viewport").boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2 + 8, { steps: 3 });
     await untilRestarted(editor);
     assert.match((await editor.notice()).text, /restarted\s+Your work is back as it was/);
-    await expectTheSame(editor, { work, stands, view });
+    await expectRestored(editor, { work, choices, view });
 
     for (const again of [1, 2]) {
       // Clicks, because Escape would also cancel an edit and save the work, and so enter the module before the key
       // below.
       await page.click("#notice-close");
       await page.waitForSelector("#notice", { state: "hidden" });
-      await page.evaluate(spoil, `${module}.js?again=${again}`);
+      await page.evaluate(corruptMemory, `${module}.js?again=${again}`);
       await page.focus("#viewport");
       // Turns the camera.
       await page.keyboard.press("ArrowLeft");
       await untilRestarted(editor);
-      await expectTheSame(editor, { work, stands, view });
+      await expectRestored(editor, { work, choices, view });
     }
     for (const [action, mesh] of /** @type {const} */ ([["undo", start], ["redo", work]])) {
       for (let step = 0; step < 2; step++) await page.click(`#toolbar [data-action='${action}']`);
@@ -52,8 +52,8 @@ test("a panic during export or opening restarts the module, and the next attempt
   const work = await editor.meshJson("mm");
   const project = await editor.download("save-project");
 
-  await page.evaluate(panicIn, { method: "exportFile" });
-  await editor.reach("#export-units");
+  await page.evaluate(trapIn, { method: "exportFile" });
+  await editor.reveal("#export-units");
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(editor);
   assert.deepEqual(await editor.meshJson("mm"), work);
@@ -62,7 +62,7 @@ test("a panic during export or opening restarts the module, and the next attempt
   assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face was not restored");
 
   await page.keyboard.press("Escape");
-  await page.evaluate(panicIn, { module: "rosto-studio-web.js?again=1", method: "openWork" });
+  await page.evaluate(trapIn, { module: "rosto-studio-web.js?again=1", method: "openWork" });
   await editor.drop(project, "face.rosto");
   await untilRestarted(editor);
   assert.deepEqual(await editor.meshJson("mm"), work);
@@ -78,12 +78,12 @@ test("a face opened during a restart leaves the saved work unchanged", async ({ 
   await editor.untilLoaded();
   const other = await editor.download("save-project");
   await workOn(editor);
-  await untilKept(page);
-  const histories = async () => (await keptWorks(page)).map(({ edits }) => edits).filter((edits) => edits.includes("nose-tip"));
+  await untilSaved(page);
+  const histories = async () => (await storedWorks(page)).map(({ edits }) => edits).filter((edits) => edits.includes("nose-tip"));
   const kept = await histories();
   assert.equal(kept.length, 1);
 
-  await page.evaluate(spoil, "rosto-studio-web.js");
+  await page.evaluate(corruptMemory, "rosto-studio-web.js");
   // In one task, so that the file arrives before the restart has finished.
   await page.evaluate((bytes) => {
     const options = { bubbles: true, cancelable: true };
@@ -95,29 +95,29 @@ test("a face opened during a restart leaves the saved work unchanged", async ({ 
   await untilRestarted(editor);
   await editor.drop(other, "other.rosto");
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
-  await untilKept(page);
+  await untilSaved(page);
   assert.deepEqual(await histories(), kept);
 });
 
 /** Makes two edits on a finer mesh with other choices and another view; returns the mesh before them. */
 async function workOn(visitor) {
   const { page } = visitor;
-  await visitor.prefer("paper");
+  await visitor.choosePreset("paper");
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
   await page.check("input[name='shading'][value='colours']", { force: true });
   await page.locator("#light-sliders input[type=number]").first().fill("80");
   const start = await visitor.meshJson("mm");
   await visitor.move("nose tip", "z", 9);
-  await visitor.slide("nose-width", 4);
+  await visitor.setSlider("nose-width", 4);
   // Clears the selection, which a restart does not restore.
-  const { x, y } = await visitor.besideTheFace();
+  const { x, y } = await visitor.emptyPoint();
   await page.mouse.click(x, y);
   return start;
 }
 
 /** Current choices and history. */
-async function standing(visitor) {
+async function readChoices(visitor) {
   const { page } = visitor;
   return {
     density: await page.inputValue("#density"),
@@ -127,8 +127,8 @@ async function standing(visitor) {
   };
 }
 
-async function expectTheSame(visitor, { work, stands, view }) {
-  assert.deepEqual(await standing(visitor), stands);
+async function expectRestored(visitor, { work, choices, view }) {
+  assert.deepEqual(await readChoices(visitor), choices);
   assert.deepEqual(await visitor.meshJson("mm"), work);
   // Moves the pointer away, because the face shows its landmarks near it.
   await visitor.page.mouse.move(4, 4);
@@ -146,7 +146,7 @@ async function untilRestarted(visitor) {
 }
 
 /** Runs in the page: overwrites the module's memory. @param {string} module */
-async function spoil(module) {
+async function corruptMemory(module) {
   const { default: instantiate } = await import(new URL(`wasm/${module}`, document.baseURI).href);
   const { memory } = await instantiate();
   new Uint8Array(memory.buffer).fill(0xff);

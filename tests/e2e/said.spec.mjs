@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 
 /** Maximum duration of the toast. */
-const GONE_MS = 6000;
+const TOAST_MS = 6000;
 
 for (const [{ width, height }, tag] of alike([{ width: 1280, height: 720 }, { width: 390, height: 844 }, { width: 844, height: 390 }])) {
   test(`at ${width}×${height} a download shows a short toast, announced once, that covers no tool`, { tag }, async ({ open }) => {
@@ -10,7 +10,7 @@ for (const [{ width, height }, tag] of alike([{ width: 1280, height: 720 }, { wi
     const { page } = visitor;
     await visitor.openFace();
     assert.ok(await page.isHidden("#toast"));
-    await page.evaluate(hearAll);
+    await page.evaluate(recordAnnouncements);
     await visitor.download("save-project");
     assert.ok(await page.isVisible("#toast"));
     assert.equal(await page.innerText("#toast"), "portrait.rosto is in your downloads");
@@ -18,17 +18,17 @@ for (const [{ width, height }, tag] of alike([{ width: 1280, height: 720 }, { wi
     assert.ok(toast.y + toast.height <= toolbar.y && toast.x >= stage.x && toast.x + toast.width <= stage.x + stage.width);
     // Screen readers read the live region instead.
     assert.equal(await page.getAttribute("#toast", "aria-hidden"), "true");
-    await page.waitForSelector("#toast", { state: "hidden", timeout: GONE_MS });
-    assert.deepEqual(await page.evaluate("heard"), ["portrait.rosto is in your downloads"]);
+    await page.waitForSelector("#toast", { state: "hidden", timeout: TOAST_MS });
+    assert.deepEqual(await page.evaluate("announcements"), ["portrait.rosto is in your downloads"]);
   });
 }
 
 /** Runs in the page: records announcements of live regions. */
-function hearAll() {
+function recordAnnouncements() {
   /** @type {string[]} */
-  const heard = [];
-  globalThis["heard"] = heard;
+  const announcements = [];
+  globalThis["announcements"] = announcements;
   for (const region of document.querySelectorAll("[role=status], [role=alert], [aria-live]")) {
-    new MutationObserver(() => region.textContent.trim() && heard.push(region.textContent.trim())).observe(region, { childList: true });
+    new MutationObserver(() => region.textContent.trim() && announcements.push(region.textContent.trim())).observe(region, { childList: true });
   }
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { filesByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { AS_THE_PAGE, openAsCommandLine, storedFiles } from "./same-face.mjs";
+import { PAGE_OPTIONS, openAsCommandLine, storedFiles } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
@@ -39,13 +39,13 @@ const PRINTED = [
 for (const [kind, rows] of Object.entries({ meshes: PAINTED, printed: PRINTED })) {
   test(`page and command line write the same bytes for the same face and edits: ${kind}`, async ({ visitor }) => {
     await openAsCommandLine(visitor);
-    await visitor.slide("nose-width", 4);
+    await visitor.setSlider("nose-width", 4);
     for (const { format, choose, options } of rows) {
-      for (const [what, value] of Object.entries(choose)) await choosing(visitor, what, value);
+      for (const [what, value] of Object.entries(choose)) await setOption(visitor, what, value);
       const mine = await visitor.download(`download-${format}`);
-      const { files, said } = await filesByCommandLine(SAMPLE, `face.${format}`, [...AS_THE_PAGE, ...EDITED, ...options]);
+      const { files, log } = await filesByCommandLine(SAMPLE, `face.${format}`, [...PAGE_OPTIONS, ...EDITED, ...options]);
       const pages = files.size > 1 ? storedFiles(mine) : new Map([[`face.${format}`, mine]]);
-      assert.deepEqual([...pages.keys()].sort(), [...files.keys()].sort(), `${options}: ${said}`);
+      assert.deepEqual([...pages.keys()].sort(), [...files.keys()].sort(), `${options}: ${log}`);
       for (const [name, bytes] of files) {
         const page = pages.get(name);
         const at = bytes.findIndex((byte, place) => byte !== page[place]);
@@ -56,7 +56,7 @@ for (const [kind, rows] of Object.entries({ meshes: PAINTED, printed: PRINTED })
 }
 
 /** Chooses a file option on the page. @param {import("./visitor.mjs").Visitor} visitor */
-async function choosing({ page }, what, value) {
+async function setOption({ page }, what, value) {
   const radios = { paint: "base-colour", solid: "solid" };
   const lists = { size: "#texture-size", density: "#export-density" };
   const checks = { unlit: "#export-unlit", morphs: "#export-morphs", expressions: "#export-expressions", eyes: "#export-eyes" };

@@ -6,7 +6,7 @@ import { SAMPLE } from "./visitor.mjs";
 const LOCAL_FILE = 0x04034b50;
 
 /** Options that make the command line write what the page does. */
-export const AS_THE_PAGE = ["--topology", "canonical", "--units", "mm"];
+export const PAGE_OPTIONS = ["--topology", "canonical", "--units", "mm"];
 
 /**
  * Opens the sample with the landmarks of the command line, bit for bit. The native and wasm builds of the networks round
@@ -21,7 +21,7 @@ export async function openAsCommandLine(visitor) {
 
 /** A project with the command line's landmarks. @param {Buffer} project saved by the page */
 export async function projectAsCommandLine(project) {
-  const { landmarks, colours, lens } = partsOfGlb(await glbByCommandLine(SAMPLE, AS_THE_PAGE)).json.scenes[0].extras;
+  const { landmarks, colours, lens } = partsOfGlb(await glbByCommandLine(SAMPLE, PAGE_OPTIONS)).json.scenes[0].extras;
   const face = Buffer.concat([landmarks, colours].map((text) => Buffer.from(text, "base64")));
   const changed = changedProject(project, (header) => ({ ...header, lens }));
   const start = changed.indexOf("\n") + 1;

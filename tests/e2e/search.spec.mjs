@@ -28,10 +28,10 @@ const FOUND = {
   ],
 };
 
-for (const [[language, wishes], tag] of alike(Object.entries(FOUND))) {
+for (const [[language, queries], tag] of alike(Object.entries(FOUND))) {
   test(`a search finds the best match, ignoring case and accents: ${language}`, { tag }, async ({ editor, page }) => {
-    await editor.speak(language);
-    for (const [typed, meant] of wishes) {
+    await editor.setLanguage(language);
+    for (const [typed, meant] of queries) {
       await editor.findLandmark(typed);
       assert.match(await page.inputValue("#landmark-search"), meant, typed);
       assert.equal(await page.getAttribute("#landmark-search", "aria-invalid"), null, typed);
@@ -73,11 +73,11 @@ test("only a query without a match is an error, until the text changes", async (
   assert.deepEqual(await look(), fine);
   await editor.findLandmark("moustache");
   assert.deepEqual(await look(), wrong, "a repeated query was not searched");
-  await editor.speak("pt");
+  await editor.setLanguage("pt");
   assert.match(await page.innerText("#landmark-help"), /Nada se chama “moustache”/);
   await editor.findLandmark("999");
   assert.match(await page.innerText("#landmark-help"), /999/);
   await editor.findLandmark("");
-  assert.equal(await editor.landmark(), 1, "an empty query changed the selection");
+  assert.equal(await editor.selectedLandmark(), 1, "an empty query changed the selection");
   assert.deepEqual(await look(), fine);
 });

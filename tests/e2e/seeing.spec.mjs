@@ -10,11 +10,11 @@ const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion
 
 test("each display mode changes the view; numeric ones show a legend", { tag: "@eyes" }, async ({ editor, page }) => {
   // Without a radius, the influence covers most of the face.
-  await editor.reach("#nearby");
+  await editor.reveal("#nearby");
   await page.uncheck("#nearby");
   await editor.findLandmark("nose tip");
-  const nose = await editor.onView(await editor.tagged());
-  await editor.offset("z", 8);
+  const nose = await editor.toViewPixels(await editor.tagPosition());
+  await editor.setOffset("z", 8);
   await editor.unfold("section-view");
   const views = [];
   for (const paint of PAINTS) {
@@ -63,7 +63,7 @@ test("the photo keeps its light unless the lamp is enabled; sphere and colour co
   await editor.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, { x: 0.4 * box.width, y: 0 });
   const fields = await page.locator("#light-sliders input[type=number]").all();
   const [azimuth, elevation] = await Promise.all(fields.map(async (field) => Number(await field.inputValue())));
-  assert.ok(azimuth > 60 && Math.abs(elevation) < 5, `the light stands at ${azimuth}°, ${elevation}°`);
+  assert.ok(azimuth > 60 && Math.abs(elevation) < 5, `the light is at ${azimuth}°, ${elevation}°`);
   const fromTheRight = await editor.view();
   assert.ok(difference(first, fromTheRight) > 0.05);
   await page.fill("#light-colour", "#ff4000");
@@ -73,9 +73,9 @@ test("the photo keeps its light unless the lamp is enabled; sphere and colour co
 test("holding the button or B shows the original; a click shows before and after side by side", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   const before = await editor.view();
   await editor.findLandmark("nose tip");
-  const nose = await editor.onView(await editor.tagged());
-  await editor.offset("y", 12);
-  const beside = await editor.besideTheFace();
+  const nose = await editor.toViewPixels(await editor.tagPosition());
+  await editor.setOffset("y", 12);
+  const beside = await editor.emptyPoint();
   await page.mouse.click(beside.x, beside.y);
   const after = await editor.view();
   const button = await page.locator("#compare").boundingBox();
@@ -120,9 +120,9 @@ test("holding the button or B shows the original; a click shows before and after
 test("a saved picture shows the face without marks", { tag: "@eyes" }, async ({ editor, page }) => {
   const plain = PNG.sync.read(await editor.download("download-picture"));
   await editor.findLandmark("nose tip");
-  await editor.reach("#pinned");
+  await editor.reveal("#pinned");
   await page.check("#pinned");
-  await editor.reach("#anchors-shown");
+  await editor.reveal("#anchors-shown");
   const unmarked = await editor.view();
   await page.check("#anchors-shown");
   assert.ok(difference(unmarked, await editor.view()) > 0, "the anchors are not marked");
@@ -154,7 +154,7 @@ test("the background can have any colour, in the view and the saved picture, whe
   const whole = PNG.sync.read(await editor.download("download-picture"));
   assert.deepEqual(corner(whole), [0x0c, 0xb4, 0xfa, 255]);
   assert.deepEqual(middle(whole), middle(cutOut));
-  await editor.reach("#background-plain");
+  await editor.reveal("#background-plain");
   await page.uncheck("#background-plain");
   assert.notDeepEqual(corner(await editor.view()), [0x0c, 0xb4, 0xfa, 255]);
 });

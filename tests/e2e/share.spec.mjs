@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { alike, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
-import { crashGpu, watchGpus } from "./watches.mjs";
+import { crashGpu, recordGpus } from "./watches.mjs";
 
 /** Time limit for a recording on a slow machine. */
 const CLIP_MS = 120_000;
@@ -15,9 +15,9 @@ test("before and after are saved as halves of one picture, and the view does not
   await visitor.openFace("ana");
   const found = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.move("nose tip", "x", 12);
-  const place = await visitor.onView(await visitor.selectedPlace());
+  const place = await visitor.toViewPixels(await visitor.selectionPosition());
   const edited = PNG.sync.read(await visitor.download("download-picture"));
-  const before = await standing(visitor);
+  const before = await readState(visitor);
   const { name, bytes } = await visitor.save("download-pair");
   assert.equal(name, "ana-before-after.png");
   const pair = PNG.sync.read(bytes);
@@ -34,21 +34,21 @@ test("before and after are saved as halves of one picture, and the view does not
   const nose = { x: left.width / 2 + 2 * (place.x - before.view.width / 2), y: 2 * place.y };
   assert.ok(differenceNear(left, right, nose, 60) > 0.2, "the halves show the same nose");
   assert.equal(differenceNear(left, right, { x: 40, y: 40 }, 30), 0, "they differ where nothing was edited");
-  assertSame(await standing(visitor), before);
+  assertSame(await readState(visitor), before);
 });
 
 test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.move("nose tip", "x", 12);
-  const before = await standing(editor);
-  await page.evaluate(refusePictures);
+  const before = await readState(editor);
+  await page.evaluate(failPictures);
   await editor.unfold("section-export");
   await page.click("[data-action='download-pair']");
   assert.equal((await editor.notice()).code, "not-drawn");
-  assertSame(await standing(editor), before);
+  assertSame(await readState(editor), before);
 });
 
 test("before/after pictures are shared if possible, and downloaded if sharing fails", { tag: "@rare" }, async ({ open }) => {
-  const visitor = await open({ scripts: [sendFiles] });
+  const visitor = await open({ scripts: [installSharing] });
   const { page } = visitor;
   await visitor.openFace();
   await visitor.unfold("section-export");
@@ -68,7 +68,7 @@ test("before/after pictures are shared if possible, and downloaded if sharing fa
 test("the face swings once in a four-second video without tools, and the view is restored", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.openFace("ana");
   await visitor.move("nose tip", "z", 8);
-  const before = await standing(visitor);
+  const before = await readState(visitor);
   await visitor.unfold("section-export");
   const coming = page.waitForEvent("download", { timeout: CLIP_MS });
   await page.click("#clip");
@@ -82,7 +82,7 @@ test("the face swings once in a four-second video without tools, and the view is
   assert.ok(await page.isHidden("#clip-progress"));
   assert.equal(await page.innerText("#clip"), "Record a rotating video");
   assert.ok(await page.locator("#clip").evaluate((button) => button === document.activeElement), "the focus was lost");
-  assertSame(await standing(visitor), before);
+  assertSame(await readState(visitor), before);
 
   // A separate page, because this one's policy blocks videos.
   const player = await page.context().browser().newPage();
@@ -106,7 +106,7 @@ for (const [{ by, stop }, tag] of alike([
     await editor.findLandmark("nose tip");
     await page.focus("#viewport");
     await page.keyboard.press("ArrowRight");
-    const before = await standing(editor);
+    const before = await readState(editor);
     let downloads = 0;
     page.on("download", () => (downloads += 1));
     await recordHalf(editor);
@@ -115,7 +115,7 @@ for (const [{ by, stop }, tag] of alike([
     assert.equal(await page.innerText("#toast"), "Recording cancelled");
     await editor.frames(30);
     assert.equal(downloads, 0);
-    assertSame(await standing(editor), before);
+    assertSame(await readState(editor), before);
   });
 }
 
@@ -140,7 +140,7 @@ test("a recording ends when another face opens, whose view is not turned", { tag
 });
 
 test("a recording ends when the GPU process crashes, and a new one works", { tag: "@eyes" }, async ({ open }) => {
-  const visitor = await open({ scripts: [watchGpus] });
+  const visitor = await open({ scripts: [recordGpus] });
   const { page } = visitor;
   await visitor.openFace();
   await recordHalf(visitor);
@@ -160,17 +160,17 @@ test("a browser without MediaRecorder shows a note instead of the button", async
   await visitor.unfold("section-export");
   assert.ok(await page.isHidden("#clip"));
   assert.equal(await page.innerText("#clip-line"), "This browser can’t record the video. Try another browser.");
-  await visitor.speak("pt");
+  await visitor.setLanguage("pt");
   assert.equal(await page.innerText("#clip-line"), "Este navegador não consegue gravar o vídeo. Tente outro navegador.");
 });
 
 /** State that pictures and recordings must not change. @param {import("./visitor.mjs").Visitor} visitor */
-async function standing(visitor) {
+async function readState(visitor) {
   const mesh = await visitor.meshJson("mm");
   return { mesh, history: await visitor.history(), view: await visitor.view() };
 }
 
-/** @param {Awaited<ReturnType<typeof standing>>} now @param {Awaited<ReturnType<typeof standing>>} before */
+/** @param {Awaited<ReturnType<typeof readState>>} now @param {Awaited<ReturnType<typeof readState>>} before */
 function assertSame(now, before) {
   assert.deepEqual([now.mesh, now.history], [before.mesh, before.history]);
   assert.equal(difference(now.view, before.view), 0, "the view is not what it was");
@@ -208,8 +208,8 @@ function accents({ data }) {
 async function watch(bytes) {
   const side = 180;
   const video = document.createElement("video");
-  const told = (/** @type {string} */ event) => new Promise((resolve) => video.addEventListener(event, resolve, { once: true }));
-  const loaded = told("loadeddata");
+  const eventOf = (/** @type {string} */ event) => new Promise((resolve) => video.addEventListener(event, resolve, { once: true }));
+  const loaded = eventOf("loadeddata");
   video.src = URL.createObjectURL(new Blob([bytes], { type: "video/webm" }));
   await loaded;
   const context = new OffscreenCanvas(side, side).getContext("2d", { willReadFrequently: true });
@@ -221,7 +221,7 @@ async function watch(bytes) {
   const late = () => new Promise((resolve) => setTimeout(resolve, 2000));
   const frames = [];
   for (const share of [0, 0.25, 0.5, 0.75, 1]) {
-    const there = Promise.all([told("seeked"), Promise.race([shown(share * video.duration), late()])]);
+    const there = Promise.all([eventOf("seeked"), Promise.race([shown(share * video.duration), late()])]);
     video.currentTime = share * video.duration;
     await there;
     context.drawImage(video, 0, 0, side, side);
@@ -231,7 +231,7 @@ async function watch(bytes) {
 }
 
 /** Runs in the page: the second snapshot fails. */
-async function refusePictures() {
+async function failPictures() {
   const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
   const snapshot = Studio.prototype.snapshot;
   let asked = 0;
@@ -243,7 +243,7 @@ async function refusePictures() {
 }
 
 /** Runs in the page before its own scripts: implements sharing, or rejects it with the error named by `answer`. */
-function sendFiles() {
+function installSharing() {
   window["sent"] = [];
   navigator.canShare = () => true;
   navigator.share = async ({ files: [{ name, type, size }] }) => {

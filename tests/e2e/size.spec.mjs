@@ -48,11 +48,11 @@ test("the tape measures the distance of two points with its error", async ({ edi
   assert.match(await page.innerText("#tape-result"), /From right mouth corner: now select another point/);
   await editor.findLandmark("left mouth corner");
   await editor.unfold("section-size");
-  const said = await page.innerText("#tape-result");
-  const [straight, along] = [...said.matchAll(/(\d+) mm ± \d+/g)].map(([, length]) => Number(length));
+  const result = await page.innerText("#tape-result");
+  const [straight, along] = [...result.matchAll(/(\d+) mm ± \d+/g)].map(([, length]) => Number(length));
   const mouth = (await measures(page))["Mouth, width"];
-  assert.equal(straight, mouth, said);
-  assert.ok(along > straight, said);
+  assert.equal(straight, mouth, result);
+  assert.ok(along > straight, result);
 });
 
 test("a tape is cleared if a coarser mesh lacks its start", { tag: "@rare" }, async ({ editor, page }) => {

@@ -42,7 +42,7 @@ test("each drag step takes less than a frame on the main thread, also on the den
   for (const density of ["0", "3"]) {
     await page.selectOption("#density", density, { force: true });
     await visitor.findLandmark("nose tip");
-    const tip = await visitor.tagged();
+    const tip = await visitor.tagPosition();
     await page.mouse.move(tip.x, tip.y);
     await page.mouse.down();
     await page.mouse.move(tip.x, tip.y - 10, { steps: 3 });

@@ -1,16 +1,16 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
-import { withHeld } from "./held.mjs";
+import { delayFile } from "./held.mjs";
 
 /** Responses that leave the page without a module. */
-const TROUBLES = [
+const FAULTS = [
   { file: "words/en.json", what: "is not found", answer: { status: 404 }, errors: 1 },
   { file: "wasm/rosto-studio-web.js", what: "is refused", answer: { status: 500 }, errors: 0 },
   { file: "js/main.js", what: "is a foreign page", answer: { status: 200, contentType: "text/html", body: "<p>Log in" }, errors: 0 },
   { file: "page/tabs.js", what: "cannot be read", answer: { status: 200, contentType: "text/javascript", body: "export const = ;" }, errors: 1 },
 ];
 
-for (const { file, what, answer, errors } of TROUBLES) {
+for (const { file, what, answer, errors } of FAULTS) {
   test(`if ${file} ${what}, the page shows a notice in both languages and can be reloaded`, async ({ open }) => {
     const visitor = await open({ before: (context) => context.route(`**/${file}`, (route) => route.fulfill(answer)) });
     const { page } = visitor;
@@ -19,7 +19,7 @@ for (const { file, what, answer, errors } of TROUBLES) {
     assert.match(text, /Part of the page didn’t load/);
     assert.match(text, /Parte da página não carregou/);
     // A module that fails to parse reports one error.
-    assert.equal(visitor.broken.splice(0).length, errors);
+    assert.equal(visitor.errors.splice(0).length, errors);
 
     await page.context().unroute(`**/${file}`);
     await page.click("#start-again");
@@ -29,7 +29,7 @@ for (const { file, what, answer, errors } of TROUBLES) {
 }
 
 test("a notice appears while modules do not arrive, and disappears when they do", async ({ open }) => {
-  const { before, deliver } = withHeld("**/words/en.json");
+  const { before, deliver } = delayFile("**/words/en.json");
   /** @type {Promise<void>} */
   let arrived;
   const page = await new Promise((show) => {

@@ -2,7 +2,7 @@ import { readFile } from "node:fs/promises";
 import { findings } from "./boxes.mjs";
 import { openGroup } from "./groups.mjs";
 import { Hand } from "./hand.mjs";
-import { untilKept } from "./kept.mjs";
+import { untilSaved } from "./kept.mjs";
 import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -23,7 +23,7 @@ export const STATES = [
   { id: "working", enter: startWork, leave: finishWork },
   { id: "arrived", enter: haveFace },
   { id: "selected", enter: selectNose },
-  { id: "dragging", enter: holdNose, leave: letNoseGo },
+  { id: "dragging", enter: grabNose, leave: releaseNose },
   { id: "region", enter: selectRegion, leave: ({ page }) => page.check("input[name='selection'][value='landmark']", { force: true }) },
   { id: "compare", enter: compare, leave: stopComparing },
   { id: "view", enter: (visitor) => openTab(visitor, "view"), leave: (visitor) => openTab(visitor, "shape") },
@@ -36,12 +36,12 @@ export const STATES = [
     leave: ({ page }) => close(page, "[data-action='close-keys']", "#keys"),
   },
   { id: "group", enter: (visitor) => openGroup(visitor, "the two of us.png") },
-  { id: "returning", enter: comeBack },
+  { id: "returning", enter: returnToStart },
 ];
 
 /** Allows the worker's reply to be delayed; pass it as `before`. @param {import("@playwright/test").BrowserContext} context */
-export function withHeldWork(context) {
-  return context.addInitScript(holdAnswers);
+export function allowDelayedReplies(context) {
+  return context.addInitScript(delayReplies);
 }
 
 /**
@@ -51,7 +51,7 @@ export function withHeldWork(context) {
  * @param {State} state
  * @returns {Promise<string[]>}
  */
-export async function wrongWith({ page }, { id }) {
+export async function problemsOf({ page }, { id }) {
   const notice = page.locator("#notice");
   const isStray = id !== "notice" && (await notice.isVisible());
   return [...(isStray ? [`a notice: ${await notice.getAttribute("data-code")}`] : []), ...(await findings(page))];
@@ -61,33 +61,33 @@ export async function wrongWith({ page }, { id }) {
 
 async function startWork(visitor) {
   const { page } = visitor;
-  await page.evaluate("answersWait = true");
-  await visitor.untilItAnswers();
+  await page.evaluate("repliesWait = true");
+  await visitor.untilInteractive();
   await page.setInputFiles("#photo-file", { name: "portrait.png", mimeType: "image/png", buffer: await readFile(SAMPLE) });
   await page.waitForSelector("#progress");
   await page.waitForSelector("[data-step='landmarks'][aria-current]");
 }
 
 async function finishWork(visitor) {
-  await visitor.page.evaluate("letAnswersCome()");
+  await visitor.page.evaluate("releaseReplies()");
   await visitor.untilFace();
 }
 
-/** Runs in the page before its own scripts: delays the worker's replies while `answersWait` is set. */
-function holdAnswers() {
+/** Runs in the page before its own scripts: delays the worker's replies while `repliesWait` is set. */
+function delayReplies() {
   /** @type {(() => void)[]} */
   const held = [];
   const listen = Worker.prototype.addEventListener;
   Worker.prototype.addEventListener = function (type, listener, ...rest) {
-    const hear = (event) => {
-      if (window["answersWait"] && event.data?.type === "found") held.push(() => listener.call(this, event));
+    const deliver = (event) => {
+      if (window["repliesWait"] && event.data?.type === "found") held.push(() => listener.call(this, event));
       else listener.call(this, event);
     };
-    listen.call(this, type, type === "message" ? hear : listener, ...rest);
+    listen.call(this, type, type === "message" ? deliver : listener, ...rest);
   };
-  window["letAnswersCome"] = () => {
-    window["answersWait"] = false;
-    for (const hear of held.splice(0)) hear();
+  window["releaseReplies"] = () => {
+    window["repliesWait"] = false;
+    for (const deliver of held.splice(0)) deliver();
   };
 }
 
@@ -103,9 +103,9 @@ async function selectNose(visitor) {
   await blur(visitor);
 }
 
-async function holdNose(visitor) {
+async function grabNose(visitor) {
   await selectNose(visitor);
-  const nose = await visitor.tagged();
+  const nose = await visitor.tagPosition();
   const hand = await Hand.of(visitor);
   await hand.press(nose);
   const { height } = await visitor.page.locator("#viewport").boundingBox();
@@ -113,7 +113,7 @@ async function holdNose(visitor) {
   await visitor.frames(3);
 }
 
-async function letNoseGo(visitor) {
+async function releaseNose(visitor) {
   const hand = await Hand.of(visitor);
   await hand.release();
   await visitor.frames(3);
@@ -121,7 +121,7 @@ async function letNoseGo(visitor) {
 
 async function selectRegion(visitor) {
   await openTab(visitor, "shape");
-  await visitor.chooseRegion("nose");
+  await visitor.selectRegion("nose");
   await blur(visitor);
 }
 
@@ -156,8 +156,8 @@ async function close(page, button, closed) {
   await page.waitForSelector(closed, { state: "hidden" });
 }
 
-async function comeBack(visitor) {
-  await untilKept(visitor.page);
+async function returnToStart(visitor) {
+  await untilSaved(visitor.page);
   await visitor.page.reload();
   await visitor.page.waitForSelector("#continue:not([hidden])");
   await visitor.untilLoaded();

@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
-import { changeKept, keptWorks, untilKept } from "./kept.mjs";
+import { changeStorage, storedWorks, untilSaved } from "./kept.mjs";
 
 /** Longer than the page's timeouts for database and locks. */
-const PATIENCE_S = 8;
+const TIMEOUT_S = 8;
 
 test("if the quota is exceeded on commit, a notice says once that work is not saved, and editing continues", async ({ open }) => {
   const visitor = await open({ scripts: [countAborts] });
@@ -13,8 +13,8 @@ test("if the quota is exceeded on commit, a notice says once that work is not sa
   const { origin } = new URL(page.url());
   await browser.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: 20_000 });
   await visitor.openFace();
-  await expectNotKept(visitor);
-  assert.deepEqual(await keptWorks(page), []);
+  await expectNotSaved(visitor);
+  assert.deepEqual(await storedWorks(page), []);
   const aborts = await page.evaluate("aborts");
   await visitor.move("nose tip", "z", 9);
   const work = await visitor.work();
@@ -24,29 +24,29 @@ test("if the quota is exceeded on commit, a notice says once that work is not sa
 
   // With space available, the next change saves everything.
   await browser.send("Storage.overrideQuotaForOrigin", { origin });
-  await visitor.offset("y", 4);
+  await visitor.setOffset("y", 4);
   const next = await visitor.work();
   assert.notDeepEqual(next, work);
-  await visitor.comeBack();
+  await visitor.reloadAndResume();
   assert.deepEqual(await visitor.work(), next);
 });
 
 for (const [[what, remove], tag] of alike(/** @type {const} */ ([
   ["is deleted", (page) => page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())))],
-  ["loses the face", (page) => changeKept(page, ({ faces }) => faces.clear())],
-  ["loses the edits", (page) => changeKept(page, ({ done }) => done.clear())],
+  ["loses the face", (page) => changeStorage(page, ({ faces }) => faces.clear())],
+  ["loses the edits", (page) => changeStorage(page, ({ done }) => done.clear())],
 ]))) {
   test(`the next change saves everything again if the database ${what} while the page is open`, { tag }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
-    await untilKept(editor.page);
-    const other = await editor.anotherTab();
+    await untilSaved(editor.page);
+    const other = await editor.openTab();
     await remove(other.page);
     await page.bringToFront();
-    await editor.offset("y", 4);
+    await editor.setOffset("y", 4);
     const work = await editor.work();
-    await untilKept(editor.page);
+    await untilSaved(editor.page);
     assert.ok(await page.isHidden("#notice"));
-    await editor.comeBack();
+    await editor.reloadAndResume();
     assert.deepEqual(await editor.work(), work);
   });
 }
@@ -54,7 +54,7 @@ for (const [[what, remove], tag] of alike(/** @type {const} */ ([
 test("with a database of another version, a notice says that work is not saved, and editing continues", async ({ visitor, page }) => {
   await page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
   await visitor.dropSample();
-  await expectNotKept(visitor);
+  await expectNotSaved(visitor);
   await visitor.move("nose tip", "z", 9);
 });
 
@@ -74,11 +74,11 @@ const DAMAGES = [
 test("damaged works do not hide an older one", async ({ editor }) => {
   await editor.move("nose tip", "z", 9);
   const work = await editor.work();
-  await untilKept(editor.page);
-  const next = await editor.anotherTab();
-  await changeKept(next.page, `(stores) => (${addDamaged})(stores, [${DAMAGES}])`);
+  await untilSaved(editor.page);
+  const next = await editor.openTab();
+  await changeStorage(next.page, `(stores) => (${addDamaged})(stores, [${DAMAGES}])`);
   await editor.page.goto("about:blank");
-  await next.comeBack();
+  await next.reloadAndResume();
   assert.deepEqual(await next.work(), work);
   assert.equal((await next.notice()).code, "earlier-work");
 });
@@ -89,41 +89,41 @@ for (const [what, isLost, found] of /** @type {const} */ ([
 ])) {
   test(`if the ${what} of the latest work cannot be read, the ${found} work opens`, async ({ open }) => {
     const { visitor, ...works } = await twoWorks(open);
-    await visitor.page.evaluate(`(${loseBlob})(${isLost})`);
+    await visitor.page.evaluate(`(${failBlob})(${isLost})`);
     await visitor.resume();
     assert.deepEqual(await visitor.work(), works[found]);
   });
 }
 
-for (const [[what, seize], tag] of alike(/** @type {const} */ ([
-  ["blocks the database", seizeDatabase],
-  ["has an endless transaction", seizeStores],
+for (const [[what, block], tag] of alike(/** @type {const} */ ([
+  ["blocks the database", blockDatabase],
+  ["has an endless transaction", blockStores],
 ]))) {
   test(`while another tab ${what}, a notice says once that work is not saved, and later all of it is`, { tag }, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await visitor.openFace();
     await visitor.move("nose tip", "z", 9);
-    await untilKept(visitor.page);
-    const other = await visitor.anotherTab();
-    await other.page.evaluate(seize);
+    await untilSaved(visitor.page);
+    const other = await visitor.openTab();
+    await other.page.evaluate(block);
 
     await page.bringToFront();
-    await visitor.offset("y", 4);
-    await pass(visitor, PATIENCE_S);
-    await expectNotKept(visitor);
-    await visitor.offset("y", 6);
+    await visitor.setOffset("y", 4);
+    await advance(visitor, TIMEOUT_S);
+    await expectNotSaved(visitor);
+    await visitor.setOffset("y", 6);
     const work = await visitor.work();
-    await pass(visitor, PATIENCE_S);
+    await advance(visitor, TIMEOUT_S);
     assert.ok(await page.isHidden("#notice"), "the notice is repeated");
 
     await other.page.evaluate(() => globalThis.release());
-    await visitor.offset("x", 2);
+    await visitor.setOffset("x", 2);
     const next = await visitor.work();
     assert.notDeepEqual(next, work);
-    await untilKept(visitor.page);
-    assert.equal((await keptWorks(page)).length, 1);
-    await visitor.comeBack();
+    await untilSaved(visitor.page);
+    assert.equal((await storedWorks(page)).length, 1);
+    await visitor.reloadAndResume();
     assert.deepEqual(await visitor.work(), next);
   });
 }
@@ -131,11 +131,11 @@ for (const [[what, seize], tag] of alike(/** @type {const} */ ([
 test("work blocked by another tab is not reported as damaged", async ({ open }) => {
   const { visitor, latest } = await twoWorks(open);
   const { page } = visitor;
-  const other = await visitor.anotherTab();
-  await other.page.evaluate(seizeStores);
+  const other = await visitor.openTab();
+  await other.page.evaluate(blockStores);
   await page.bringToFront();
   await page.click("#continue");
-  await pass(visitor, PATIENCE_S);
+  await advance(visitor, TIMEOUT_S);
   assert.equal((await visitor.notice()).code, "kept-work-busy");
   await other.page.evaluate(() => globalThis.release());
   await visitor.resume();
@@ -148,7 +148,7 @@ test("work is saved and reopened even if locks do not respond", async ({ open })
   await visitor.openFace();
   await visitor.move("nose tip", "z", 9);
   const work = await visitor.work();
-  await pass(visitor, PATIENCE_S);
+  await advance(visitor, TIMEOUT_S);
   assert.ok(await page.isHidden("#notice"));
   await page.reload();
   await visitor.resume();
@@ -159,16 +159,16 @@ test("the last saved work counts as the latest, regardless of clock changes", { 
   const first = await open();
   await first.openFace();
   await first.move("nose tip", "z", 9);
-  await untilKept(first.page);
+  await untilSaved(first.page);
 
-  const second = await first.anotherTab(setClockBack);
+  const second = await first.openTab(setClockBack);
   await openOther(second);
   await second.move("nose tip", "z", -6);
   const latest = await second.work();
-  await untilKept(second.page, 2);
+  await untilSaved(second.page, 2);
   for (const { page } of [first, second]) await page.goto("about:blank");
 
-  const third = await first.anotherTab();
+  const third = await first.openTab();
   await third.resume();
   assert.deepEqual(await third.work(), latest);
   // The same for drafts, which are saved when the page is hidden.
@@ -181,7 +181,7 @@ test("the last saved work counts as the latest, regardless of clock changes", { 
     field.dispatchEvent(new Event("change"));
   });
   await third.page.goto("about:blank");
-  const fourth = await first.anotherTab();
+  const fourth = await first.openTab();
   await fourth.resume();
   await fourth.findLandmark("nose tip");
   assert.equal(Number(await offset_mm(fourth).inputValue()), 3);
@@ -194,26 +194,26 @@ async function twoWorks(open) {
   await openOther(visitor, "older.jpg");
   await visitor.move("nose tip", "z", -6);
   const older = await visitor.work();
-  await untilKept(visitor.page);
+  await untilSaved(visitor.page);
   await visitor.dropSample();
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   await visitor.move("nose tip", "z", 9);
   const latest = await visitor.work();
-  await untilKept(visitor.page, 2);
+  await untilSaved(visitor.page, 2);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
   return { visitor, older, latest };
 }
 
 /** Advances the page's clock, with time for the database after each second. */
-async function pass(visitor, seconds) {
+async function advance(visitor, seconds) {
   for (let second = 0; second < seconds; second++) {
     await visitor.page.clock.runFor(1000);
     await visitor.frames(3);
   }
 }
 
-async function expectNotKept(visitor) {
+async function expectNotSaved(visitor) {
   await visitor.page.waitForSelector("#notice[data-code='not-kept']");
   await visitor.page.keyboard.press("Escape");
   await visitor.page.waitForSelector("#notice", { state: "hidden" });
@@ -232,7 +232,7 @@ async function addDamaged({ faces, done }, damages) {
 /**
  * Runs in the page, as does the next function: blocks the database by a connection that stays open during an upgrade.
  */
-async function seizeDatabase() {
+async function blockDatabase() {
   const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
   const request = indexedDB.open("rosto", database.version + 1);
   request.onupgradeneeded = () => request.transaction.abort();
@@ -240,7 +240,7 @@ async function seizeDatabase() {
   globalThis.release = () => database.close();
 }
 
-async function seizeStores() {
+async function blockStores() {
   const database = await new Promise((resolve) => (indexedDB.open("rosto").onsuccess = ({ target }) => resolve(target.result)));
   let isReleased = false;
   const store = database.transaction(["faces", "done"], "readwrite").objectStore("faces");
@@ -253,7 +253,7 @@ async function seizeStores() {
 }
 
 /** Runs in the page, as do the next functions: the first blob with a matching size cannot be read. */
-function loseBlob(isLost) {
+function failBlob(isLost) {
   const { arrayBuffer } = Blob.prototype;
   let isDone = false;
   Blob.prototype.arrayBuffer = function () {

@@ -16,7 +16,7 @@ export async function storedProject(launch) {
   const file = path.join(TARGET, "projects", `${version}.rosto`);
   if (existsSync(file)) return readFile(file);
   const server = await serve(DIST, "/");
-  const visitor = await Visitor.arrive(await launch(), server.url);
+  const visitor = await Visitor.open(await launch(), server.url);
   await visitor.dropSample();
   const project = await visitor.download("save-project");
   await visitor.leave();

@@ -14,7 +14,7 @@ const INNER_LIPS = [13, 14, 82, 87, 312, 317];
 
 test("the nose can move sideways without mirroring, up to the slider's limit", async ({ editor, page }) => {
   assert.ok(await page.isChecked("#mirror"));
-  const tip = await editor.landmarkPlace(NOSE_TIP);
+  const tip = await editor.landmarkPosition(NOSE_TIP);
   const start = await editor.meshJson("mm");
   await editor.grab(tip, { x: 40, y: 0 });
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, not mirrored");
@@ -43,7 +43,7 @@ test("the nose can move sideways without mirroring, up to the slider's limit", a
 
   await editor.drag(tip, { x: 37, y: 0 });
   const aside = await editor.meshJson("mm");
-  await editor.offset("y", 5);
+  await editor.setOffset("y", 5);
   const lifted = way(aside, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `rounding by a slider moved the nose: ${lifted}`);
 });
@@ -52,7 +52,7 @@ test("an edit shows its limited influence: pulling the nose leaves lips and eyel
   await editor.findLandmark("nose tip");
   assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
   const start = await editor.meshJson("mm");
-  await editor.offset("z", 12);
+  await editor.setOffset("z", 12);
   const moved = await editor.meshJson("mm");
   assert.ok(Math.abs(way(start, moved, NOSE_TIP)[2] - 12) < 1e-9);
   for (const vertex of [...EYELIDS, ...INNER_LIPS]) {
@@ -61,10 +61,10 @@ test("an edit shows its limited influence: pulling the nose leaves lips and eyel
   }
   await page.click("#toolbar [data-action='undo']");
 
-  const tip = await editor.landmarkPlace(NOSE_TIP);
+  const tip = await editor.landmarkPosition(NOSE_TIP);
   const shots = [];
   for (const nearby of [true, false]) {
-    await editor.reach("#nearby");
+    await editor.reveal("#nearby");
     await page.setChecked("#nearby", nearby);
     // Too small for the edit to be visible, but not for its influence.
     await editor.grab(tip, { x: 0, y: -8 });
@@ -78,16 +78,16 @@ test("an edit shows its limited influence: pulling the nose leaves lips and eyel
 
 for (const [mode, tag] of alike(["landmark", "region", "point"])) {
   test(`a press grabs the highlighted point: ${mode}`, { tag }, async ({ editor }) => {
-    await editor.reach("#selection");
+    await editor.reveal("#selection");
     await editor.page.check(`input[name='selection'][value='${mode}']`, { force: true });
-    const { lit, turned } = await editor.takeAtEach(9);
-    assert.ok(lit >= 12, `${lit} points are highlighted`);
-    assert.deepEqual(turned, [], "highlighted points that a press does not grab");
+    const { highlighted, mismatches } = await editor.dragAtEach(9);
+    assert.ok(highlighted >= 12, `${highlighted} points are highlighted`);
+    assert.deepEqual(mismatches, [], "highlighted points that a press does not grab");
   });
 }
 
 test("a press grabs the point highlighted under a resting pointer after the face has moved", { tag: "@rare" }, async ({ editor, page }) => {
-  const tip = await editor.landmarkPlace(NOSE_TIP);
+  const tip = await editor.landmarkPosition(NOSE_TIP);
   const [x, y] = [tip.x + 45, tip.y - 30];
   await page.focus("#viewport");
   await page.mouse.move(x, y);
@@ -111,9 +111,9 @@ test("a press grabs the point highlighted under a resting pointer after the face
 });
 
 test("dragging outside the face, or with another button, turns it, and pans with Shift", { tag: "@rare" }, async ({ editor, page }) => {
-  const tip = await editor.landmarkPlace(NOSE_TIP);
-  const brow = await editor.landmarkPlace(FOREHEAD);
-  const beside = await editor.besideTheFace();
+  const tip = await editor.landmarkPosition(NOSE_TIP);
+  const brow = await editor.landmarkPosition(FOREHEAD);
+  const beside = await editor.emptyPoint();
   /** Motion of nose and forehead caused by a stroke. */
   const stroke = async (from, button) => {
     await page.mouse.move(from.x, from.y);
@@ -121,7 +121,7 @@ test("dragging outside the face, or with another button, turns it, and pans with
     await page.mouse.move(from.x + 60, from.y, { steps: 5 });
     await page.mouse.up({ button });
     await page.keyboard.up("Shift");
-    const [nose, forehead] = [await editor.landmarkPlace(NOSE_TIP), await editor.landmarkPlace(FOREHEAD)];
+    const [nose, forehead] = [await editor.landmarkPosition(NOSE_TIP), await editor.landmarkPosition(FOREHEAD)];
     await page.click("#toolbar [data-action='reset-view']");
     await editor.frames(3);
     return [nose.x - tip.x, forehead.x - brow.x];

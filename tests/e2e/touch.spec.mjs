@@ -12,8 +12,8 @@ test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) =>
   const send = await toucher(page);
   const at = await page.locator("#viewport").boundingBox();
   const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
-  const nose = () => editor.landmarkPlace(NOSE_TIP);
-  const eyes = async () => [await editor.landmarkPlace(33), await editor.landmarkPlace(263)];
+  const nose = () => editor.landmarkPosition(NOSE_TIP);
+  const eyes = async () => [await editor.landmarkPosition(33), await editor.landmarkPosition(263)];
   const apart = ([one, other]) => Math.hypot(one.x - other.x, one.y - other.y);
   const reset = () => page.click("#toolbar [data-action='reset-view']");
   const row = (...places) => places.map((beside) => ({ x: x + beside, y }));
@@ -46,7 +46,7 @@ test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) =>
 
   // Next to the gizmo's upward arm, where a touch is unambiguous.
   await editor.findLandmark(String(NOSE_TIP));
-  const arm = shifted([await editor.tagged()], 14, -52);
+  const arm = shifted([await editor.tagPosition()], 14, -52);
   const lifted = await editor.meshJson("mm");
   await stroke(send, arm, shifted(arm, 30, -30));
   const along = way(lifted, await editor.meshJson("mm"), NOSE_TIP);
@@ -55,9 +55,9 @@ test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) =>
 
 test("on a phone a tap selects, a drag moves, and a second finger changes the influence radius", async ({ editor, page }) => {
   const send = await toucher(page);
-  const lip = await editor.landmarkPlace(LOWER_LIP);
+  const lip = await editor.landmarkPosition(LOWER_LIP);
   await stroke(send, [lip], [lip]);
-  assert.equal(await editor.landmark(), LOWER_LIP);
+  assert.equal(await editor.selectedLandmark(), LOWER_LIP);
   assert.deepEqual(await editor.history(), [], "a tap made an edit");
 
   // Touch is inexact, so a press near the selection grabs it.
@@ -78,7 +78,7 @@ test("on a phone a tap selects, a drag moves, and a second finger changes the in
   await send("touchMove", [{ ...held, y: held.y + 8 }]);
   await send("touchEnd", []);
   assert.equal((await editor.history()).length, 1, "the drag did not continue with the first finger");
-  assert.equal(await editor.landmark(), LOWER_LIP);
+  assert.equal(await editor.selectedLandmark(), LOWER_LIP);
 });
 
 test("on a phone the bottom sheet leaves most of the face visible, without overlaps or horizontal scrolling", async ({ open }) => {
@@ -93,7 +93,7 @@ test("on a phone the bottom sheet leaves most of the face visible, without overl
   for (const viewport of [{ width: 1024, height: 800 }, narrow]) {
     await page.setViewportSize(viewport);
     for (const language of ["pt", "en"]) {
-      await visitor.speak(language);
+      await visitor.setLanguage(language);
       assert.ok(await page.isVisible("#hint"));
       assert.deepEqual(await findings(page), [], `${viewport.width} px, ${language}`);
     }

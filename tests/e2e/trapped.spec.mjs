@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
-import { untilKept } from "./kept.mjs";
-import { panicIn } from "./watches.mjs";
+import { untilSaved } from "./kept.mjs";
+import { trapIn } from "./watches.mjs";
 
 test.use({ visit: { scripts: [countCalls] } });
 
@@ -10,9 +10,9 @@ test("after a trap no code calls into the module, before or after a new instance
   await editor.move("nose tip", "z", 9);
   await editor.meshJson("mm");
   const project = await editor.download("save-project");
-  await untilKept(page);
+  await untilSaved(page);
 
-  await page.evaluate(panicIn, { method: "orbit" });
+  await page.evaluate(trapIn, { method: "orbit" });
   await page.focus("#viewport");
   await page.keyboard.press("ArrowLeft");
   await page.waitForFunction(() => globalThis.modules.isWaiting);

@@ -35,7 +35,7 @@ const SQUARE = { side_px: 24, apart_px: 32, left_px: 8, top_px: 448, count: 8 };
  *
  * @returns {Place}
  */
-export function placeIn(number) {
+export function poseIn(number) {
   const way = Math.max(0, (number % FRAMES) - STILL_FRAMES) * (SPEED_PX_S / FRAMES_PER_S);
   const aside = way < REACH_PX ? way : way < 3 * REACH_PX ? 2 * REACH_PX - way : way - 4 * REACH_PX;
   return { x: WIDTH_PX / 2 + aside, y: HEIGHT_PX / 2, scale: 1.6, degrees: 0 };
@@ -43,12 +43,12 @@ export function placeIn(number) {
 
 /** Speed to the right in px per frame; 0 where the motion turns. @param {number} number */
 export function speedIn(number) {
-  const [before, here, after] = [number - 1, number, number + 1].map((each) => placeIn((each + FRAMES) % FRAMES).x);
+  const [before, here, after] = [number - 1, number, number + 1].map((each) => poseIn((each + FRAMES) % FRAMES).x);
   return Math.abs(here - before - (after - here)) < 1e-6 ? here - before : 0;
 }
 
 /** Maps a point of the portrait, px, to a frame. @param {Place} place @param {number[]} point x, y */
-export function carried({ x, y, scale, degrees }, [px, py]) {
+export function mapToFrame({ x, y, scale, degrees }, [px, py]) {
   const [cos, sin] = turn(degrees);
   const [dx, dy] = [px - MIDDLE[0], py - MIDDLE[1]];
   return [x + scale * (cos * dx - sin * dy), y + scale * (sin * dx + cos * dy)];

@@ -4,14 +4,14 @@ import { existsSync } from "node:fs";
 import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
-import { FRAMES, FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, frameOf, placeIn } from "./video-frames.mjs";
+import { FRAMES, FRAMES_PER_S, HEIGHT_PX, WIDTH_PX, frameOf, poseIn } from "./video-frames.mjs";
 import { yuvOf } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 const HERE = import.meta.dirname;
 const FOLDER = path.join(process.env.CARGO_TARGET_DIR ?? path.join(HERE, "../../target"), "videos");
 
-/** The video of `placeIn` as .y4m, cached by a hash of its sources. */
+/** The video of `poseIn` as .y4m, cached by a hash of its sources. */
 export async function movingVideo() {
   const sources = [SAMPLE, ...["video.mjs", "video-frames.mjs", "pictures.mjs"].map((name) => path.join(HERE, name))];
   const hash = createHash("sha256");
@@ -29,7 +29,7 @@ export async function movingVideo() {
 function* frames(portrait) {
   yield `YUV4MPEG2 W${WIDTH_PX} H${HEIGHT_PX} F${FRAMES_PER_S}:1 Ip A1:1 C420\n`;
   for (let number = 0; number < FRAMES; number += 1) {
-    yield yuvOf({ width: WIDTH_PX, height: HEIGHT_PX, data: frameOf(portrait, placeIn(number), number) });
+    yield yuvOf({ width: WIDTH_PX, height: HEIGHT_PX, data: frameOf(portrait, poseIn(number), number) });
   }
 }
 

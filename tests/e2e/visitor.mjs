@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { PNG } from "pngjs";
-import { untilKept } from "./kept.mjs";
+import { untilSaved } from "./kept.mjs";
 
 export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample.png");
 
@@ -10,18 +10,18 @@ export const SAMPLE = path.resolve(import.meta.dirname, "../../web/assets/sample
 const VIOLATION = "policy violation:";
 
 /** Maximum number of screenshots until the 3D view is still. */
-const MOST_SHOTS = 20;
+const MAX_SHOTS = 20;
 
 /** Drives one page and reads what it shows. */
 export class Visitor {
   /** Uncaught errors and policy violations. */
-  broken = [];
+  errors = [];
   /** Console output of the page's own code. */
-  said = [];
+  consoleLines = [];
   /** Messages of the browser itself, which differ between versions; only for the log of a failed test. */
-  browserSaid = [];
+  browserLines = [];
   /** Whether screenshots show the 3D view. */
-  sees = true;
+  showsView = true;
   /** URLs of all requests so far. @type {string[]} */
   requests = [];
   /** Other tabs of the same browser. @type {Visitor[]} */
@@ -40,7 +40,7 @@ export class Visitor {
    * @param {string} url
    * @param {Visit & import("@playwright/test").BrowserContextOptions} [options]
    */
-  static async arrive(browser, url, { before, scripts = [], hasClock = false, expert = false, ...options } = {}) {
+  static async open(browser, url, { before, scripts = [], hasClock = false, expert = false, ...options } = {}) {
     const context = await browser.newContext({
       viewport: { width: 1024, height: 640 },
       locale: "en-GB",
@@ -66,17 +66,17 @@ export class Visitor {
     page.context().on("request", (request) => this.requests.push(request.url()));
     // Answers every file dialog with the sample. A dialog that opens before Playwright listens would be lost.
     page.on("filechooser", (chooser) => chooser.setFiles(SAMPLE).catch(() => {}));
-    page.on("pageerror", (error) => this.broken.push(error));
+    page.on("pageerror", (error) => this.errors.push(error));
     page.on("console", (message) => {
       // Only console calls of the page have arguments.
       const isOfPage = message.args().length > 0;
-      (isOfPage ? this.said : this.browserSaid).push(`${message.type()}: ${message.text()}`);
-      if (isOfPage && message.text().startsWith(VIOLATION)) this.broken.push(message.text());
+      (isOfPage ? this.consoleLines : this.browserLines).push(`${message.type()}: ${message.text()}`);
+      if (isOfPage && message.text().startsWith(VIOLATION)) this.errors.push(message.text());
     });
   }
 
-  checkNothingBroke() {
-    assert.deepEqual([this, ...this.tabs].flatMap(({ broken }) => broken), []);
+  assertNoErrors() {
+    assert.deepEqual([this, ...this.tabs].flatMap(({ errors }) => errors), []);
   }
 
   async leave() {
@@ -84,9 +84,9 @@ export class Visitor {
   }
 
   /** Opens the page in another tab. @param {() => void} [script] runs in the page before its own */
-  async anotherTab(script) {
+  async openTab(script) {
     const other = new Visitor(await this.page.context().newPage());
-    Object.assign(other, { sees: this.sees, project: this.project, address: this.address, tabs: this.tabs });
+    Object.assign(other, { showsView: this.showsView, project: this.project, address: this.address, tabs: this.tabs });
     this.tabs.push(other);
     if (script) await other.page.addInitScript(script);
     await other.page.goto(this.address);
@@ -100,13 +100,13 @@ export class Visitor {
   }
 
   /** Waits for the language list, which shows that the page's scripts have run. */
-  async untilItAnswers() {
+  async untilInteractive() {
     await this.page.waitForSelector("#language option", { state: "attached" });
   }
 
   /** Drops a file on the page. @param {Uint8Array} bytes @param {string} name */
   async drop(bytes, name) {
-    await this.untilItAnswers();
+    await this.untilInteractive();
     await this.page.locator("body").drop({ files: { name, mimeType: "", buffer: Buffer.from(bytes) } });
   }
 
@@ -122,8 +122,8 @@ export class Visitor {
   }
 
   /** Waits until the work is saved, reloads the page and resumes. */
-  async comeBack() {
-    await untilKept(this.page);
+  async reloadAndResume() {
+    await untilSaved(this.page);
     await this.page.reload();
     await this.resume();
   }
@@ -142,7 +142,7 @@ export class Visitor {
   }
 
   /** Chooses a language, even if the list is hidden. @param {string} language */
-  async speak(language) {
+  async setLanguage(language) {
     await this.page.selectOption("#language", language, { force: true });
     await this.page.waitForSelector(`html[lang^="${language}"]`, { state: "attached" });
     await this.frames(2);
@@ -165,12 +165,12 @@ export class Visitor {
 
   /** Shows a section of the panel: selects its tab and opens its folds. */
   unfold(id) {
-    return this.reach(`#${id}`);
+    return this.reveal(`#${id}`);
   }
 
   /** Shows an element of the panel: selects its tab and opens its folds. @param {string} selector */
-  async reach(selector) {
-    if ((await this.page.locator(`[data-expert]:is(${selector}, :has(${selector}))`).count()) > 0) await this.beExpert();
+  async reveal(selector) {
+    if ((await this.page.locator(`[data-expert]:is(${selector}, :has(${selector}))`).count()) > 0) await this.enableExpert();
     const tab = await this.page.locator(`#sections > [data-tab]:is(${selector}, :has(${selector}))`).getAttribute("data-tab");
     const button = this.page.locator(`[data-tab-name="${tab}"]:not([aria-selected="true"])`);
     if (await button.isVisible()) await button.click();
@@ -179,7 +179,7 @@ export class Visitor {
   }
 
   /** Shows technical controls and point numbers. */
-  async beExpert() {
+  async enableExpert() {
     await this.page.locator("#expert").setChecked(true, { force: true });
   }
 
@@ -191,7 +191,7 @@ export class Visitor {
   }
 
   /** Selects a region. @param {string} region id such as "left-brow" */
-  async chooseRegion(region) {
+  async selectRegion(region) {
     await this.unfold("section-landmark");
     await this.page.check("input[name='selection'][value='region']", { force: true });
     await this.page.selectOption("#region", region);
@@ -199,7 +199,7 @@ export class Visitor {
   }
 
   /** Position of the tagged landmark, in CSS px of the window. */
-  async tagged() {
+  async tagPosition() {
     await this.frames(3);
     const stage = await this.page.locator("#stage").boundingBox();
     const [x = 0, y = 0] = ((await this.page.getAttribute("#landmark-tag", "data-place")) ?? "").split(" ").map(Number.parseFloat);
@@ -209,9 +209,9 @@ export class Visitor {
   /**
    * Position of the selection in the window. The pointer leaves the view, because the tag shows a hovered point first.
    */
-  async selectedPlace() {
+  async selectionPosition() {
     await this.page.mouse.move(1, 1);
-    return this.tagged();
+    return this.tagPosition();
   }
 
   /**
@@ -219,16 +219,16 @@ export class Visitor {
    *
    * @param {number} landmark
    */
-  async landmarkPlace(landmark) {
+  async landmarkPosition(landmark) {
     await this.findLandmark(String(landmark));
-    const place = await this.selectedPlace();
+    const place = await this.selectionPosition();
     await this.page.focus("#viewport");
     await this.page.keyboard.press("Escape");
     return place;
   }
 
   /** Converts a position in the window to pixels of {@link view}. @param {{ x: number, y: number }} place */
-  async onView({ x, y }) {
+  async toViewPixels({ x, y }) {
     const box = await this.page.locator("#viewport").boundingBox();
     const ratio = await this.page.evaluate(() => devicePixelRatio);
     return { x: (x - box.x) * ratio, y: (y - box.y) * ratio };
@@ -240,11 +240,11 @@ export class Visitor {
    *
    * @param {number} side grid points per side
    */
-  async takeAtEach(side) {
+  async dragAtEach(side) {
     const { page } = this;
     const view = await page.locator("#viewport").boundingBox();
-    const turned = [];
-    let lit = 0;
+    const mismatches = [];
+    let highlighted = 0;
     for (let place = 0; place < side * side; place++) {
       const x = view.x + (view.width * ((place % side) + 0.43)) / side;
       const y = view.y + (view.height * (Math.floor(place / side) + 0.57)) / side;
@@ -253,19 +253,19 @@ export class Visitor {
       await page.mouse.move(x, y);
       if ((await this.cursor()) !== "move") continue;
       const name = await page.textContent("#landmark-tag");
-      lit += 1;
+      highlighted += 1;
       await page.mouse.down();
       await page.mouse.move(x + 14, y + 14, { steps: 2 });
       await page.mouse.up();
       const [entry] = await this.history();
-      if (entry !== name) turned.push({ x, y, name, entry });
+      if (entry !== name) mismatches.push({ x, y, name, entry });
       if (entry !== undefined) await page.keyboard.press("Control+z");
     }
-    return { lit, turned };
+    return { highlighted, mismatches };
   }
 
   /** A point of the window where the 3D view does not show the face. */
-  async besideTheFace() {
+  async emptyPoint() {
     const view = await this.page.locator("#viewport").boundingBox();
     return { x: view.x + 20, y: view.y + view.height / 2 };
   }
@@ -300,13 +300,13 @@ export class Visitor {
   }
 
   /** Chooses the preset of edits. @param {"sculpt" | "paper"} preset */
-  async prefer(preset) {
-    await this.reach("[data-choice='preset']");
+  async choosePreset(preset) {
+    await this.reveal("[data-choice='preset']");
     await this.page.check(`input[name="preset"][value="${preset}"]`, { force: true });
   }
 
   /** Enters an offset into the number field of an axis. @param {"x" | "y" | "z"} axis @param {number} offset_mm */
-  async offset(axis, offset_mm) {
+  async setOffset(axis, offset_mm) {
     await this.unfold("section-landmark");
     await this.#enter(`#landmark-sliders [data-axis="${axis}"]`, offset_mm);
   }
@@ -314,11 +314,11 @@ export class Visitor {
   /** Moves a landmark along an axis. @param {string} landmark @param {"x" | "y" | "z"} axis @param {number} offset_mm */
   async move(landmark, axis, offset_mm) {
     await this.findLandmark(landmark);
-    await this.offset(axis, offset_mm);
+    await this.setOffset(axis, offset_mm);
   }
 
   /** Sets a proportion slider by its number field. @param {string} slider id such as "nose-width" @param {number} amount_mm */
-  async slide(slider, amount_mm) {
+  async setSlider(slider, amount_mm) {
     await this.unfold("section-face");
     await this.#enter(`[data-slider="${slider}"]`, amount_mm);
   }
@@ -342,12 +342,12 @@ export class Visitor {
   }
 
   /** Number of the selected landmark. */
-  async landmark() {
+  async selectedLandmark() {
     return Number((await this.page.inputValue("#landmark-search")).match(/\d+$/)?.[0]);
   }
 
   /** Number of the selected point of a dense mesh. */
-  async point() {
+  async selectedPoint() {
     return Number((await this.page.inputValue("#landmark-search")).match(/[\d,]+/)?.[0].replaceAll(",", ""));
   }
 
@@ -377,7 +377,7 @@ export class Visitor {
   /** Bytes and name of the file that a button saves. @param {string} action */
   async save(action) {
     await this.unfold("section-export");
-    if (await this.page.locator(`#sections [data-action="${action}"]`).count()) await this.reach(`[data-action="${action}"]`);
+    if (await this.page.locator(`#sections [data-action="${action}"]`).count()) await this.reveal(`[data-action="${action}"]`);
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
       this.page.click(`#panel [data-action="${action}"]`),
@@ -387,10 +387,10 @@ export class Visitor {
 
   /** Pixels of the 3D view once it is still, without the elements over it. */
   async view() {
-    assert.ok(this.sees, 'this browser cannot screenshot the 3D view: tag the test with @eyes');
+    assert.ok(this.showsView, 'this browser cannot screenshot the 3D view: tag the test with @eyes');
     await this.#showFloating("hidden");
     let shot = await this.#shot();
-    for (let tries = 0; tries < MOST_SHOTS; tries += 1) {
+    for (let tries = 0; tries < MAX_SHOTS; tries += 1) {
       const next = await this.#shot();
       if (next.equals(shot)) break;
       shot = next;

@@ -1,21 +1,21 @@
 // Scripts for the page or its worker that record internals or inject faults.
 
-/** Records worker messages: types in `workersSaid`; progress and the bar's value in `workersProgress`. */
-export function watchWorkers() {
-  Object.assign(window, { workersSaid: [], workersProgress: [] });
+/** Records worker messages: types in `workerMessages`; progress and the bar's value in `workerProgress`. */
+export function recordWorkers() {
+  Object.assign(window, { workerMessages: [], workerProgress: [] });
   const listen = Worker.prototype.addEventListener;
   Worker.prototype.addEventListener = function (type, listener, ...rest) {
     listen.call(this, type, listener, ...rest);
     if (type !== "message") return;
     listen.call(this, type, ({ data: { type, fraction } }) => {
-      window.workersSaid.push(type);
-      if (type === "progress") window.workersProgress.push({ fraction, bar: document.getElementById("progress-bar").value });
+      window.workerMessages.push(type);
+      if (type === "progress") window.workerProgress.push({ fraction, bar: document.getElementById("progress-bar").value });
     });
   };
 }
 
 /** Records the page's GPU devices in `gpus`, and whether each is lost. Includes restored WebGL2 contexts. */
-export function watchGpus() {
+export function recordGpus() {
   window.gpus = [];
   addEventListener("webglcontextrestored", () => window.gpus.push({ isGone: false }), { capture: true });
   const ask = globalThis.GPUAdapter?.prototype.requestDevice;
@@ -36,7 +36,7 @@ export async function crashGpu(page) {
 }
 
 /** Makes the next call of a studio method trap, as a panic does. @param {{ module?: string, method: string }} call */
-export async function panicIn({ module = "rosto-studio-web.js", method }) {
+export async function trapIn({ module = "rosto-studio-web.js", method }) {
   const { prototype } = (await import(new URL(`wasm/${module}`, document.baseURI).href)).Studio;
   const call = prototype[method];
   // (module (func (export "panic") unreachable))
@@ -49,7 +49,7 @@ export async function panicIn({ module = "rosto-studio-web.js", method }) {
 }
 
 /** Makes the worker crash instead of sending a reply. @param {string} reply */
-export function dieBefore(reply) {
+export function crashBefore(reply) {
   const tell = self.postMessage.bind(self);
   self.postMessage = (message, transfer) => {
     if (message.type === reply) throw new WebAssembly.RuntimeError("unreachable");

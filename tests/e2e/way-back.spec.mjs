@@ -1,50 +1,50 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
-import { keptWorks, untilKept } from "./kept.mjs";
+import { storedWorks, untilSaved } from "./kept.mjs";
 
 test("a page restored from the back/forward cache continues its work", { tag: "@way-back" }, async ({ editor, page }) => {
   await leave(editor);
   assert.ok(await goBack(page), "the page was not in the back/forward cache");
-  await expect.poll(async () => (await keptWorks(page)).filter(({ isHeld }) => isHeld).length).toBe(1);
-  await editor.offset("y", 4);
+  await expect.poll(async () => (await storedWorks(page)).filter(({ isLocked }) => isLocked).length).toBe(1);
+  await editor.setOffset("y", 4);
   const work = await editor.work();
-  await untilKept(page);
-  assert.deepEqual((await keptWorks(page)).map(({ isHeld }) => isHeld), [true]);
-  await editor.comeBack();
+  await untilSaved(page);
+  assert.deepEqual((await storedWorks(page)).map(({ isLocked }) => isLocked), [true]);
+  await editor.reloadAndResume();
   assert.deepEqual(await editor.work(), work);
 });
 
 for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["was continued in", false]])) {
   test(`a page restored from the back/forward cache does not change work that ${how} another tab`, { tag: "@way-back" }, async ({ editor, page }) => {
     await leave(editor);
-    const other = await editor.anotherTab();
+    const other = await editor.openTab();
     await other.resume();
     await other.move("bottom of the chin", "y", -6);
     const others = await other.work();
-    await untilKept(other.page);
+    await untilSaved(other.page);
     if (!stays) await other.page.close();
 
     await page.bringToFront();
     let work;
     if (await goBack(page)) {
       // New edits are saved separately from the work continued elsewhere.
-      await untilKept(page, 2);
-      await editor.offset("y", 4);
+      await untilSaved(page, 2);
+      await editor.setOffset("y", 4);
       work = await editor.work();
-      await untilKept(page);
-      assert.equal((await keptWorks(page)).length, 2);
+      await untilSaved(page);
+      assert.equal((await storedWorks(page)).length, 2);
     }
     if (stays) {
       await other.page.bringToFront();
       await other.page.reload();
     }
-    const next = stays ? other : await editor.anotherTab();
+    const next = stays ? other : await editor.openTab();
     await next.resume();
     assert.deepEqual(await next.work(), others);
     if (work) {
       await page.bringToFront();
-      await editor.comeBack();
+      await editor.reloadAndResume();
       assert.deepEqual(await editor.work(), work);
     }
   });
@@ -55,7 +55,7 @@ async function leave(editor) {
   const { page } = editor;
   await editor.untilLoaded();
   await editor.move("nose tip", "z", 9);
-  await untilKept(page);
+  await untilSaved(page);
   await page.evaluate(() => (globalThis.isSamePage = true));
   await page.evaluate(() => (location.href = "manifest.webmanifest"));
   await page.waitForURL(/webmanifest/);

@@ -26,7 +26,7 @@ test("without a WebGPU adapter, the page works with WebGL2", { tag: "@webgl" }, 
 
   await visitor.findLandmark("nose tip");
   const held = await visitor.view();
-  await visitor.offset("y", 9);
+  await visitor.setOffset("y", 9);
   const moved = await visitor.view();
   assert.ok(difference(held, moved) > 0.002, "the number did not change the picture");
   const { x, y, width, height } = await page.locator("#viewport").boundingBox();
@@ -46,9 +46,9 @@ test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives 
   await visitor.dropSample();
   const asked = visitor.requests.map((url) => new URL(url).pathname.split("/").at(-1));
   assert.ok(asked.includes(FOR_WEBGL2) && !asked.includes(FOR_WEBGPU), asked.join(" "));
-  await visitor.prefer("paper");
+  await visitor.choosePreset("paper");
   await visitor.move("nose tip", "z", 12);
-  const edit = `${await visitor.landmark()}:0,0,12:${(await visitor.anchors()).join(",")}`;
+  const edit = `${await visitor.selectedLandmark()}:0,0,12:${(await visitor.anchors()).join(",")}`;
   const options = ["--units", "mm", "--density", "0", "--edit", edit];
   assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));
 });

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { test } from "./fixtures.mjs";
-import { withHeld } from "./held.mjs";
+import { delayFile } from "./held.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const words = ["en", "pt"].map((language) => readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
@@ -12,7 +12,7 @@ const [en, pt] = (await Promise.all(words)).map((text) => JSON.parse(text));
 const SOURCES = [
   { folder: "crates", files: /^(studio|vision)-web\/src\/.*error\.rs$/, codes: /"(?!code"|hint")([a-z]+(?:-[a-z]+)*)"/g },
   { folder: "crates/studio-web/src", files: /\.rs$/, codes: /FacadeError::new\(\s*"([a-z-]+)"/g },
-  { folder: "web/js", files: /\.js$/, codes: /(?:code: |giveUp\(|asPageError\(error, )"([a-z-]+)"/g },
+  { folder: "web/js", files: /\.js$/, codes: /(?:code: |(?:fail|lost)\(|asPageError\(error, )"([a-z-]+)"/g },
 ];
 
 test("each error code has text in each language", async () => {
@@ -44,20 +44,20 @@ test("notices do not show the modules' English messages", async ({ open }) => {
 });
 
 test("buttons stay hidden until their text has loaded", async ({ open }) => {
-  const { before, deliver } = withHeld("**/words/en.json");
+  const { before, deliver } = delayFile("**/words/en.json");
   const visitor = await open({ before });
   const seen = visitor.page.locator("#welcome button:visible");
   assert.equal(await seen.count(), 0);
   deliver();
-  await visitor.untilItAnswers();
+  await visitor.untilInteractive();
   assert.equal(await seen.count(), 4);
 });
 
-test("of two languages chosen while one is loading, the last one is shown", async ({ open }) => {
-  const { before, deliver } = withHeld("**/words/pt.json");
+test("the last of two languages chosen during loading is shown", async ({ open }) => {
+  const { before, deliver } = delayFile("**/words/pt.json");
   const visitor = await open({ before });
   const { page } = visitor;
-  await visitor.untilItAnswers();
+  await visitor.untilInteractive();
   await page.selectOption("#language", "pt");
   await page.selectOption("#language", "en");
   const arrived = page.waitForResponse("**/words/pt.json");

@@ -9,7 +9,7 @@ test("work survives a reload, is offered again, and can move to another browser 
   await first.move("nose tip", "z", 9);
   const work = await first.meshJson("mm");
   const file = await first.download("save-project");
-  await first.comeBack();
+  await first.reloadAndResume();
   assert.deepEqual(await first.meshJson("mm"), work);
   await first.page.click("#toolbar [data-action='undo']");
   assert.notDeepEqual(await first.meshJson("mm"), work);
@@ -35,11 +35,11 @@ test("the history lists the edits, and each can be switched off and on", async (
   await expect(items).toHaveCount(2);
 
   for (const [isOn, mesh] of [[false, nose], [true, both]]) {
-    await editor.reach("#history");
+    await editor.reveal("#history");
     await items.first().locator("input").setChecked(isOn);
     assert.deepEqual(await editor.meshJson("mm"), mesh);
   }
-  await editor.reach("#history");
+  await editor.reveal("#history");
   await page.click("#section-history [data-action='reset']");
   assert.deepEqual(await editor.work(), { mesh: start, history: [] });
   await page.click("#toolbar [data-action='undo']");
@@ -52,7 +52,7 @@ test("holding B shows the original face", { tag: "@eyes" }, async ({ editor, pag
   await page.focus("#viewport");
   await page.keyboard.press("l");
   const before = await editor.view();
-  await editor.offset("z", 12);
+  await editor.setOffset("z", 12);
   await page.focus("#viewport");
   const after = await editor.view();
   await page.keyboard.down("b");

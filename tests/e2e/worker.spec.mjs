@@ -3,17 +3,17 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
-import { withHeld } from "./held.mjs";
+import { delayFile } from "./held.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { dieBefore, watchWorkers } from "./watches.mjs";
+import { crashBefore, recordWorkers } from "./watches.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
 test("the page draws and responds before the worker's module has loaded", { tag: "@eyes" }, async ({ open }) => {
-  const { before, deliver } = withHeld(WORKER_MODULE);
+  const { before, deliver } = delayFile(WORKER_MODULE);
   const visitor = await open({ before });
   await visitor.page.waitForSelector("body[data-host='open']");
   assert.ok(colourCount(await visitor.view()) > 4, "the canonical face is not drawn");
@@ -38,7 +38,7 @@ test("a crashed worker restarts and leaves the work unchanged", async ({ visitor
   await expect(page.locator("#history li")).toHaveCount(0);
 
   await visitor.move("nose tip", "z", 7);
-  await worker.evaluate(dieBefore, "found");
+  await worker.evaluate(crashBefore, "found");
   await visitor.drop(faceless(), "trap.png");
   assert.equal((await visitor.notice()).code, "worker-died");
   assert.deepEqual(await visitor.meshJson("mm"), work);
@@ -76,11 +76,11 @@ test("a worker on a slow connection does not time out", async ({ open, server })
     response = answer.writeHead(200, { "content-type": "application/wasm", "content-length": bytes.length });
     return true;
   });
-  const visitor = await open({ hasClock: true, scripts: [watchWorkers] });
+  const visitor = await open({ hasClock: true, scripts: [recordWorkers] });
   const { page } = visitor;
   await page.waitForSelector("body[data-host='open']");
   await untilNetworksLoad(visitor);
-  const reports = () => page.evaluate(() => window.workersSaid.filter((type) => type === "loading").length);
+  const reports = () => page.evaluate(() => window.workerMessages.filter((type) => type === "loading").length);
   let at = 0;
   for (let wait = 0; wait < 5; wait += 1) {
     const before = await reports();
@@ -98,14 +98,14 @@ test("a worker on a slow connection does not time out", async ({ open, server })
 });
 
 test("the progress bar shows the total progress and does not go back", async ({ open }) => {
-  const visitor = await open({ scripts: [watchWorkers] });
+  const visitor = await open({ scripts: [recordWorkers] });
   for (let photo = 0; photo < 2; photo += 1) {
-    await visitor.page.evaluate("workersProgress.length = 0");
+    await visitor.page.evaluate("workerProgress.length = 0");
     await visitor.dropSample();
-    const told = await visitor.page.evaluate("workersProgress");
-    assert.ok(told.length >= 3);
-    for (const { fraction, bar } of told) assert.equal(bar, fraction);
-    const bars = told.map(({ bar }) => bar);
+    const progress = await visitor.page.evaluate("workerProgress");
+    assert.ok(progress.length >= 3);
+    for (const { fraction, bar } of progress) assert.equal(bar, fraction);
+    const bars = progress.map(({ bar }) => bar);
     assert.deepEqual(bars, bars.toSorted((a, b) => a - b));
   }
 });

@@ -15,8 +15,8 @@ export function overlapping() {
   const [stage, panel] = ["stage", "panel"].map((id) => document.getElementById(id));
   const floating = floats();
   const fixed = [panel].filter(isSeen);
-  const standing = [...floating, ...fixed];
-  const pairs = floating.flatMap((one, place) => standing.slice(place + 1).map((other) => [one, other]));
+  const elements = [...floating, ...fixed];
+  const pairs = floating.flatMap((one, place) => elements.slice(place + 1).map((other) => [one, other]));
   return [...pairs, ...fixed.map((one) => [stage, one])].map(([one, other]) => {
     // The landmark's tag may pass below a notice or the progress.
     const isPassing = [one, other].some(({ id }) => id === "landmark-tag") && [one, other].some(({ id }) => id === "notice" || id === "progress");
@@ -28,8 +28,8 @@ export function overlapping() {
 
 /** @param {{ left: number, top: number, right: number, bottom: number }} box */
 export function lyingOver(box) {
-  const standing = [...floats(), document.getElementById("panel")].filter(isSeen);
-  return standing.filter((element) => overlap(element.getBoundingClientRect(), box)).map(nameOf);
+  const elements = [...floats(), document.getElementById("panel")].filter(isSeen);
+  return elements.filter((element) => overlap(element.getBoundingClientRect(), box)).map(nameOf);
 }
 
 /** Controls whose centre is covered by another element. @param {Element} scope */

@@ -12,7 +12,7 @@ import { checkGlb, drag, shot, until, WAIT_MS } from "./steps.mjs";
 /** A drawn face in a format that only the browser decodes. */
 const AVIF = path.resolve(import.meta.dirname, "../pictures/drawn-face.avif");
 /** Time within which a change is saved. */
-const KEPT_MS = 1_000;
+const SAVE_MS = 1_000;
 /** Names of incomplete downloads. */
 const ARRIVING = /\.(part|crdownload|wkdownload|tmp)$|^\./;
 
@@ -66,7 +66,7 @@ export async function walkCore(browser, url, pictures) {
   await checkGlb(await download(browser, "download-glb"));
   await picture("downloaded");
 
-  await driver.sleep(KEPT_MS);
+  await driver.sleep(SAVE_MS);
   await driver.navigate().refresh();
   await noteErrors(driver);
   await until(driver, `document.querySelector("#continue").checkVisibility()`, "the offer to resume");

@@ -6,7 +6,7 @@ import { validateGlb } from "../validate-glb.mjs";
 /** @typedef {import("./visit.mjs").Visit} Visit */
 
 /** Time within which a change is saved. */
-const KEPT_MS = 1_000;
+const SAVE_MS = 1_000;
 const DOWNLOAD_MS = 20_000;
 
 /** Properties that hold after any actions. @type {Record<string, (visit: Visit) => Promise<void>>} */
@@ -41,7 +41,7 @@ async function undoAndRedo(visit) {
 /** A reload restores the work. @param {Visit} visit */
 async function reloaded(visit) {
   const before = await work(visit);
-  await setTimeout(KEPT_MS);
+  await setTimeout(SAVE_MS);
   await visit.page.reload();
   assert.ok(await visit.resume(10_000), "the work is not offered after a reload");
   await expectSame(visit, before, "a reload");

@@ -4,7 +4,7 @@
  */
 
 /** Installs `window.monkey`; runs in the page before its own scripts. */
-export function letMonkeyIn() {
+export function installMonkey() {
   const USABLE = "button, input:not([type=file]), select, summary, [role=button], .slider-label";
   const TICKS = "[type=radio], [type=checkbox]";
   const SHUFFLED = ["section-landmark", "section-view", "section-history"].map((id) => `#${id} :is(select, ${TICKS})`).join();

@@ -3,7 +3,7 @@ import path from "node:path";
 import { setTimeout } from "node:timers/promises";
 import { launch } from "../browser.mjs";
 import { Visitor } from "../visitor.mjs";
-import { letMonkeyIn } from "./page.mjs";
+import { installMonkey } from "./page.mjs";
 
 /** Time limit for a frame. */
 const FRAME_MS = 30_000;
@@ -23,10 +23,10 @@ export class Visit {
   /** @param {string} url @param {string} video file for the fake camera */
   static async start(url, video) {
     const browser = await launch({ video, seen: false });
-    const options = { viewport: { width: 760, height: 480 }, hasTouch: true, expert: true, scripts: [letMonkeyIn] };
-    const { page, broken, said } = await Visitor.arrive(browser, url, options);
-    const visit = Object.assign(new Visit(), { page, broken, said, input: await page.context().newCDPSession(page) });
-    page.on("crash", () => broken.push(new Error("the page's process died")));
+    const options = { viewport: { width: 760, height: 480 }, hasTouch: true, expert: true, scripts: [installMonkey] };
+    const { page, errors, consoleLines } = await Visitor.open(browser, url, options);
+    const visit = Object.assign(new Visit(), { page, errors, consoleLines, input: await page.context().newCDPSession(page) });
+    page.on("crash", () => errors.push(new Error("the page's process died")));
     page.on("download", async (download) => {
       // A reload may abort it.
       const bytes = await download.path().then(readFile).catch(() => undefined);
@@ -44,7 +44,7 @@ export class Visit {
     });
     const failure = await Promise.race([act(), limit]).then(() => this.look()).then(() => undefined, (error) => error);
     // An error of the page explains the failed action.
-    const fault = this.broken[0] ?? this.said.find((line) => line.startsWith("error: ")) ?? failure;
+    const fault = this.errors[0] ?? this.consoleLines.find((line) => line.startsWith("error: ")) ?? failure;
     if (fault) throw fault instanceof Error ? fault : new Error(fault);
   }
 
