@@ -1,13 +1,13 @@
-// What a host sends with every file of the page, said once, in the words of each of the usual hosts. The policy is the
-// one in the page's text, and what can only be said in a header.
+// HTTP headers for the files of the page, in the formats of common hosts. The Content-Security-Policy is the page's own, plus
+// the directive that only works in a header.
 
-/** Features with a stable name in every engine: browsers complain about names they do not know. The camera is used. */
+/** Only features that all engines know, as browsers warn about unknown names. */
 const PERMISSIONS = "camera=(self), microphone=(), geolocation=(), display-capture=(), fullscreen=()";
 
 const POLICY = /<meta http-equiv="Content-Security-Policy" content="([^"]+)">/;
 
 /**
- * @param {string} page its text
+ * @param {string} page HTML
  * @returns {[name: string, value: string][]}
  */
 export function headersOf(page) {
@@ -19,26 +19,26 @@ export function headersOf(page) {
     ["Permissions-Policy", PERMISSIONS],
     ["Referrer-Policy", "no-referrer"],
     ["X-Content-Type-Options", "nosniff"],
-    // No name changes with what is in the file: a copy is used only once the host has said that it still holds.
+    // File names contain no hash, so browsers must revalidate cached copies.
     ["Cache-Control", "no-cache"],
   ];
 }
 
 /**
- * The files that tell a host so, by name.
+ * The configuration files of common hosts, by name.
  *
- * @param {string} page its text
+ * @param {string} page HTML
  * @returns {Record<string, string>}
  */
 export function hostFiles(page) {
   const headers = headersOf(page);
-  const each = (/** @type {(name: string, value: string) => string} */ line) => headers.map(([name, value]) => line(name, value)).join("\n");
+  const format = (/** @type {(name: string, value: string) => string} */ line) => headers.map(([name, value]) => line(name, value)).join("\n");
   const vercel = { headers: [{ source: "/(.*)", headers: headers.map(([key, value]) => ({ key, value })) }] };
   return {
     // Netlify, Cloudflare Pages and others.
-    _headers: `/*\n${each((name, value) => `  ${name}: ${value}`)}\n`,
+    _headers: `/*\n${format((name, value) => `  ${name}: ${value}`)}\n`,
     "vercel.json": `${JSON.stringify(vercel, undefined, 2)}\n`,
-    ".htaccess": `<IfModule mod_headers.c>\n${each((name, value) => `  Header always set ${name} "${value}"`)}\n</IfModule>\nAddType application/wasm .wasm\nAddType text/javascript .js\n`,
-    "nginx.conf": `# To be included in the location that serves the page.\n${each((name, value) => `add_header ${name} "${value}" always;`)}\n`,
+    ".htaccess": `<IfModule mod_headers.c>\n${format((name, value) => `  Header always set ${name} "${value}"`)}\n</IfModule>\nAddType application/wasm .wasm\nAddType text/javascript .js\n`,
+    "nginx.conf": `# Include this in the location block that serves the page.\n${format((name, value) => `add_header ${name} "${value}" always;`)}\n`,
   };
 }

@@ -1,6 +1,8 @@
-// Runs at the end of a Trunk build: writes into the page what it says when none of its modules arrives, lists all files
-// with their SHA-256 for whoever checks them (the page, the service worker, anybody else), and gives the set a version,
-// which the page says of itself too. The hosts' header files go beside them. It may run again over the same folder.
+// Trunk's post-build hook; can run repeatedly on the same folder:
+// - writes the texts shown when the page fails to start into index.html;
+// - writes integrity.json with the SHA-256 of each file, which the page and the service worker verify;
+// - writes the version of the build into index.html and the service worker;
+// - writes the header files for common hosts.
 import { createHash } from "node:crypto";
 import { readFile, readdir, writeFile } from "node:fs/promises";
 import path from "node:path";
@@ -10,18 +12,18 @@ const OFFLINE = /^const OFFLINE = .*;$/m;
 const VERSION = /(?<=<meta name="version" content=")\w+(?=">)/;
 const LIST_HASH = /(?<=<meta name="integrity" content=")[^"]+(?=">)/;
 const NOT_STARTED = /(?<=<div id="not-started-words">)[\s\S]*?(?=<\/div>)/;
-/** The page is asked for as "./", and its text, which says the version and the list's hash, has no hash in the list. */
+/** Not in the list, because it contains the hash of the list. */
 const PAGE = "index.html";
 const LIST = "integrity.json";
-/** What only browsers without WebGPU download. */
+/** Downloaded only by browsers without WebGPU. */
 const FALLBACK = /^wasm\/rosto-studio-webgl/;
 
 const dist = process.env.TRUNK_STAGING_DIR ?? "dist";
 
-await fill(PAGE, NOT_STARTED, await wordsOfFailure());
-const forHosts = hostFiles(String(await read(PAGE)));
+await fill(PAGE, NOT_STARTED, await failureHtml());
+const headerFiles = hostFiles(String(await read(PAGE)));
 
-const unlisted = new Set([PAGE, LIST, "service-worker.js", ...Object.keys(forHosts)]);
+const unlisted = new Set([PAGE, LIST, "service-worker.js", ...Object.keys(headerFiles)]);
 const names = (await readdir(dist, { recursive: true, withFileTypes: true }))
   .filter((entry) => entry.isFile())
   .map((entry) => path.relative(dist, path.join(entry.parentPath, entry.name)).replaceAll(path.sep, "/"))
@@ -33,18 +35,18 @@ const list = `${JSON.stringify({ files: Object.fromEntries(files) }, undefined, 
 await write(LIST, list);
 await fill(PAGE, LIST_HASH, integrity(list));
 
-// The page says the hash of the list, so that its own text stands for all there is.
+// The page contains the hash of the list, so the hash of the page covers all files.
 const page = String(await read(PAGE)).replace(VERSION, "unbuilt");
 const version = sha256(page).digest("hex").slice(0, 16);
-const stored = [...files, [LIST, integrity(list)]];
-const chosen = (isFallback) => Object.fromEntries(stored.filter(([name]) => FALLBACK.test(name) === isFallback));
+const cached = [...files, [LIST, integrity(list)]];
+const select = (isFallback) => Object.fromEntries(cached.filter(([name]) => FALLBACK.test(name) === isFallback));
 
 await fill(PAGE, VERSION, version);
-await fill("service-worker.js", OFFLINE, `const OFFLINE = ${JSON.stringify({ version, files: chosen(false), fallback: chosen(true) })};`);
-for (const [name, text] of Object.entries(forHosts)) await write(name, text);
+await fill("service-worker.js", OFFLINE, `const OFFLINE = ${JSON.stringify({ version, files: select(false), fallback: select(true) })};`);
+for (const [name, text] of Object.entries(headerFiles)) await write(name, text);
 
-/** What the page says in every language when it does not start. */
-async function wordsOfFailure() {
+/** The message shown when the page fails to start, in all languages. */
+async function failureHtml() {
   const languages = JSON.parse(String(await read("words/languages.json")));
   const words = languages.map(async ({ id, tag }) => ({ tag, words: JSON.parse(String(await read(`words/${id}.json`))) }));
   const all = await Promise.all(words);
@@ -52,8 +54,8 @@ async function wordsOfFailure() {
     `<p class="notice-title" lang="${tag}">${words["not-started"]}</p>`,
     `<p lang="${tag}">${words["not-started.help"]}</p>`,
   ]);
-  const again = all.map(({ tag, words }) => `<span lang="${tag}">${words["not-started.again"]}</span>`);
-  return [...texts.flat(), `<button class="button small" type="button" id="start-again">${again.join(" · ")}</button>`].join("");
+  const retry = all.map(({ tag, words }) => `<span lang="${tag}">${words["not-started.again"]}</span>`);
+  return [...texts.flat(), `<button class="button small" type="button" id="start-again">${retry.join(" · ")}</button>`].join("");
 }
 
 /** @param {string} name */
@@ -71,18 +73,20 @@ function sha256(content) {
   return createHash("sha256").update(content);
 }
 
-/** As the attribute `integrity` has it. @param {string | Uint8Array} content */
+/** In the format of the `integrity` attribute. @param {string | Uint8Array} content */
 function integrity(content) {
   return `sha256-${sha256(content).digest("base64")}`;
 }
 
 /**
+ * Replaces a placeholder in a file.
+ *
  * @param {string} name
- * @param {RegExp} place
+ * @param {RegExp} placeholder
  * @param {string} content
  */
-async function fill(name, place, content) {
+async function fill(name, placeholder, content) {
   const text = String(await read(name));
-  if (!place.test(text)) throw new Error(`${path.join(dist, name)} has no place for ${content}`);
-  await write(name, text.replace(place, () => content));
+  if (!placeholder.test(text)) throw new Error(`${path.join(dist, name)} has no placeholder ${placeholder}`);
+  await write(name, text.replace(placeholder, () => content));
 }

@@ -1,121 +1,119 @@
 /**
- * Keeps the page usable without a network after the first visit: its files are stored when this script is installed, and a
- * new version is not hidden by an old copy. The module that draws through WebGL2 is stored for the browsers that use it.
+ * Service worker for offline use. Caches the page's files on install, and the WebGL2 module for browsers that use it.
  *
- * Each open page gets the files of the version that it was opened as. There is one store per version, checked by hashes, and
- * a note of each page's version, and of each of its workers':
- * - The page itself is asked of the network first. When no answer comes in time, or an error, it comes from the store.
- * - Its files come from the store of its version. What is not stored comes from the network, and has to have the hash that
- *   the page's list of files says; if it has another, loading it fails.
+ * There is one cache per version. Each client (page or worker) is recorded with the version it was opened in, and gets the
+ * files of that version:
+ * - Pages are network first. After a timeout or an error, the page comes from the cache.
+ * - Other files are cache first. A file that is not cached is fetched and must match the hash in the page's integrity list;
+ *   otherwise loading fails.
  *
- * After a deploy, the new version's script stores its files, then waits until all pages are closed. Until then the old script
+ * After a deploy, the new service worker caches its files and waits until all pages are closed. Until then, the old one
  * serves the pages of both versions.
  */
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
 /**
- * What a page says of itself: its version, and the hash of its list of files.
+ * A page's version, and the hash of its integrity list, from its meta elements.
  *
  * @typedef {{ version: string, list: string }} Build
  */
 
 /**
- * Written by list-for-offline.mjs when the page is built: files with their hashes as `integrity` has them.
+ * Replaced by list-for-offline.mjs in the build: integrity hashes by file name.
  *
  * @type {{ version: string, files: Record<string, string>, fallback: Record<string, string> }}
  */
 const OFFLINE = { version: "unbuilt", files: {}, fallback: {} };
 
-/** The page's own address in the store. */
+/** The page's URL in the cache. */
 const PAGE = "./";
 
 const LIST = "integrity.json";
 
-/** A server silent for this long has not answered. */
-const PATIENCE_MS = 3000;
+const TIMEOUT_MS = 3000;
 
-/** The store of notes. They are kept, since the browser ends this script whenever it likes. */
-const NOTES = "rosto-notes";
+/** Cache of client records. They are persistent because the browser can stop a service worker at any time. */
+const CLIENTS = "rosto-notes";
 
-/** The latest notes outlast their pages: a page that is only being opened is not among the open ones yet. */
-const SPARED_NOTES = 20;
+/** Number of latest records to keep for closed clients: a page that is being opened is not listed as a client yet. */
+const SPARED_RECORDS = 20;
 
-/** The page holds these against its list by itself, while they arrive: see integrity.js. */
+/** Verified by the page itself while streaming, see integrity.js. */
 const CHECKED_BY_PAGE = /\.(wasm|onnx)$/;
 
-/** The notes that were written or read since this script was started. @type {Map<string, Build>} */
-const known = new Map();
+/** Client records in memory. @type {Map<string, Build>} */
+const builds = new Map();
 
 worker.addEventListener("install", (event) => {
-  event.waitUntil(store());
+  event.waitUntil(cacheFiles());
 });
 
 worker.addEventListener("activate", (event) => {
-  event.waitUntil(tidy());
+  event.waitUntil(cleanUp());
 });
 
 worker.addEventListener("message", (event) => {
   const { source, data } = event;
-  if (data.type === "opened" && source instanceof Client) event.waitUntil(serve(source, data.build));
-  if (data.type === "keep-fallback") event.waitUntil(storeFallback());
+  if (data.type === "opened" && source instanceof Client) event.waitUntil(claimPage(source, data.build));
+  if (data.type === "keep-fallback") event.waitUntil(cacheFallback());
 });
 
 worker.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(worker.registration.scope)) return;
-  event.respondWith(isPage(request) ? givePage(event) : giveFile(event));
+  event.respondWith(isPage(request) ? respondWithPage(event) : respondWithFile(event));
 });
 
-async function store() {
-  const cache = await caches.open(storeOf(OFFLINE.version));
+async function cacheFiles() {
+  const cache = await caches.open(cacheName(OFFLINE.version));
   const page = await fetch(PAGE, { cache: "no-cache" });
-  if ((await buildOf(page))?.version !== OFFLINE.version) throw new Error("the page is of another version than this script");
-  await cache.addAll(Object.entries(OFFLINE.files).map(asBuilt));
-  // A browser that needed the other module before needs it again.
-  const stored = await Promise.all(Object.keys(OFFLINE.fallback).map((file) => caches.match(file)));
-  if (stored.some(Boolean)) await storeFallback();
-  // Last: a store that holds its page is complete.
+  if ((await buildOf(page))?.version !== OFFLINE.version) throw new Error("the page and the service worker have different versions");
+  await cache.addAll(Object.entries(OFFLINE.files).map(verifiedRequest));
+  // A browser that used the fallback in an earlier version needs it again.
+  const cached = await Promise.all(Object.keys(OFFLINE.fallback).map((file) => caches.match(file)));
+  if (cached.some(Boolean)) await cacheFallback();
+  // Last, as it marks the cache as complete.
   await cache.put(PAGE, page);
 }
 
-async function storeFallback() {
-  const cache = await caches.open(storeOf(OFFLINE.version));
+async function cacheFallback() {
+  const cache = await caches.open(cacheName(OFFLINE.version));
   const files = Object.entries(OFFLINE.fallback);
-  const stored = await Promise.all(files.map(([file]) => cache.match(file)));
-  if (!stored.every(Boolean)) await cache.addAll(files.map(asBuilt));
+  const cached = await Promise.all(files.map(([file]) => cache.match(file)));
+  if (!cached.every(Boolean)) await cache.addAll(files.map(verifiedRequest));
 }
 
 /**
- * A request that fails where the answer is not the file that was built: from the browser's memory of an earlier version,
- * from a server in the middle of a change, or from someone else in between.
+ * A request that fails if the response is not the built file: from the HTTP cache of an earlier version, from a server during
+ * a deploy, or altered in transit.
  *
  * @param {[string, string]} entry
  */
-function asBuilt([file, integrity]) {
+function verifiedRequest([file, integrity]) {
   return new Request(file, { cache: "no-cache", integrity });
 }
 
-/** Drops the stores of versions that no page needs, and the notes of pages that are closed. */
-async function tidy() {
+/** Deletes the caches of versions without an open client, and the records of closed clients. */
+async function cleanUp() {
   const open = await worker.clients.matchAll({ type: "all", includeUncontrolled: true });
-  const builds = await Promise.all(open.map(({ id }) => noteOf(id)));
-  const needed = new Set([NOTES, storeOf(OFFLINE.version), ...builds.map((build) => build && storeOf(build.version))]);
+  const openBuilds = await Promise.all(open.map(({ id }) => buildOfClient(id)));
+  const needed = new Set([CLIENTS, cacheName(OFFLINE.version), ...openBuilds.map((build) => build && cacheName(build.version))]);
   const names = (await caches.keys()).filter((name) => name.startsWith("rosto-") && !needed.has(name));
   await Promise.all(names.map((name) => caches.delete(name)));
-  const cache = await caches.open(NOTES);
-  const older = (await cache.keys()).slice(0, -SPARED_NOTES);
+  const cache = await caches.open(CLIENTS);
+  const older = (await cache.keys()).slice(0, -SPARED_RECORDS);
   const closed = older.filter(({ url }) => !open.some(({ id }) => url.endsWith(`/${id}`)));
   await Promise.all(closed.map((request) => cache.delete(request)));
 }
 
 /**
- * Serves a page from now on that was opened without this script.
+ * Starts to control a page that was opened without a service worker.
  *
  * @param {Client} page
  * @param {Build} build
  */
-async function serve({ id }, build) {
-  await note(id, build);
+async function claimPage({ id }, build) {
+  await recordClient(id, build);
   await worker.clients.claim();
 }
 
@@ -127,130 +125,130 @@ function isPage(request) {
 }
 
 /** @param {FetchEvent} event */
-async function givePage({ request, resultingClientId }) {
-  const own = await storedIn(storeOf(OFFLINE.version), PAGE);
-  const fresh = own ? await inTime(request) : await fetch(request);
+async function respondWithPage({ request, resultingClientId }) {
+  const own = await readCache(cacheName(OFFLINE.version), PAGE);
+  const fresh = own ? await fetchInTime(request) : await fetch(request);
   const pages = [fresh, await newestPage(), own].filter((page) => page !== undefined);
   const last = /** @type {Response} */ (pages.pop());
   for (const page of pages) {
     const build = await buildOf(page);
-    if (!build || (await note(resultingClientId, build))) return page;
+    if (!build || (await recordClient(resultingClientId, build))) return page;
   }
-  // On a full disk nothing can be noted, and a page without a note gets the files of this script's version.
+  // On a full disk, the client cannot be recorded, and an unrecorded client gets the files of this version.
   const build = await buildOf(last);
-  if (build) await note(resultingClientId, build);
+  if (build) await recordClient(resultingClientId, build);
   return last;
 }
 
-/** The page of the newest version that is stored whole. */
+/** The page of the newest complete cache. */
 async function newestPage() {
-  const names = (await caches.keys().catch(() => [])).filter((name) => name.startsWith("rosto-") && name !== NOTES);
+  const names = (await caches.keys().catch(() => [])).filter((name) => name.startsWith("rosto-") && name !== CLIENTS);
   for (const name of names.reverse()) {
-    const page = await storedIn(name, PAGE);
+    const page = await readCache(name, PAGE);
     if (page) return page;
   }
   return undefined;
 }
 
 /**
- * What the network answers, if it comes whole, in time and without an error.
+ * Fetches a response completely; undefined after a timeout or an error.
  *
  * @param {Request} request
  */
-async function inTime(request) {
-  const late = new AbortController();
-  const limit = setTimeout(() => late.abort(), PATIENCE_MS);
+async function fetchInTime(request) {
+  const controller = new AbortController();
+  const timer = setTimeout(() => controller.abort(), TIMEOUT_MS);
   try {
-    const response = await fetch(request, { signal: late.signal });
+    const response = await fetch(request, { signal: controller.signal });
     await response.clone().text();
-    // A redirection is the browser's to follow.
+    // The browser follows a redirect itself.
     return response.ok || response.type === "opaqueredirect" ? response : undefined;
   } catch {
     return undefined;
   } finally {
-    clearTimeout(limit);
+    clearTimeout(timer);
   }
 }
 
 /**
  * @param {Response} page
- * @returns {Promise<Build | undefined>} nothing if it is not a page of ours
+ * @returns {Promise<Build | undefined>} undefined if it is not a page of Rosto
  */
 async function buildOf(page) {
   const text = await page.clone().text();
-  const said = (/** @type {string} */ name) => new RegExp(`<meta name="${name}" content="([^"]+)">`).exec(text)?.[1];
-  const [version, list] = [said("version"), said("integrity")];
+  const meta = (/** @type {string} */ name) => new RegExp(`<meta name="${name}" content="([^"]+)">`).exec(text)?.[1];
+  const [version, list] = [meta("version"), meta("integrity")];
   return version && list ? { version, list } : undefined;
 }
 
 /** @param {FetchEvent} event */
-async function giveFile({ request, clientId, resultingClientId }) {
-  const build = await noteOf(clientId);
-  // A worker belongs to the page that starts it.
-  if (build && resultingClientId) await note(resultingClientId, build);
-  const stored = await storedIn(storeOf(build?.version ?? OFFLINE.version), request);
-  return stored ?? (build ? fetchOf(build, request) : fetch(request));
+async function respondWithFile({ request, clientId, resultingClientId }) {
+  const build = await buildOfClient(clientId);
+  // A worker has the version of the page that starts it.
+  if (build && resultingClientId) await recordClient(resultingClientId, build);
+  const cached = await readCache(cacheName(build?.version ?? OFFLINE.version), request);
+  return cached ?? (build ? fetchVerified(build, request) : fetch(request));
 }
 
 /**
- * A file of a build that is not in the store.
+ * Fetches a file of a build that is not in the cache.
  *
  * @param {Build} build
  * @param {Request} request
  */
-async function fetchOf(build, request) {
+async function fetchVerified(build, request) {
   const { origin, pathname } = new URL(request.url);
   const name = `${origin}${pathname}`.slice(worker.registration.scope.length);
-  if (name === LIST) return fetch(asBuilt([LIST, build.list]));
+  if (name === LIST) return fetch(verifiedRequest([LIST, build.list]));
   const integrity = CHECKED_BY_PAGE.test(name) ? undefined : (await filesOf(build))[name];
-  return integrity ? fetch(asBuilt([request.url, integrity])) : fetch(request);
+  return integrity ? fetch(verifiedRequest([request.url, integrity])) : fetch(request);
 }
 
 /**
- * The files of a build with their hashes.
+ * Integrity hashes of a build by file name.
  *
  * @param {Build} build
  * @returns {Promise<Record<string, string>>}
  */
 async function filesOf({ version, list }) {
-  const stored = await storedIn(storeOf(version), LIST);
-  const answer = stored ?? (await fetch(asBuilt([LIST, list])));
-  if (!stored) await putAway(storeOf(version), LIST, answer.clone());
-  return (await answer.json()).files;
+  const cached = await readCache(cacheName(version), LIST);
+  const response = cached ?? (await fetch(verifiedRequest([LIST, list])));
+  if (!cached) await writeCache(cacheName(version), LIST, response.clone());
+  return (await response.json()).files;
 }
 
 /** @param {string} version */
-function storeOf(version) {
+function cacheName(version) {
   return `rosto-${version}`;
 }
 
 /**
- * Notes which build a page or worker belongs to.
+ * Records the build of a page or worker.
  *
  * @param {string} client
  * @param {Build} build
- * @returns whether that is kept when the browser ends this script
+ * @returns whether the record persists after the service worker stops
  */
-function note(client, build) {
-  known.set(client, build);
-  return putAway(NOTES, `./builds/${client}`, new Response(JSON.stringify(build)));
+function recordClient(client, build) {
+  builds.set(client, build);
+  return writeCache(CLIENTS, `./builds/${client}`, new Response(JSON.stringify(build)));
 }
 
 /**
  * @param {string} client
- * @returns {Promise<Build | undefined>} nothing where none was noted
+ * @returns {Promise<Build | undefined>} undefined without a record
  */
-async function noteOf(client) {
-  return known.get(client) ?? (await (await storedIn(NOTES, `./builds/${client}`))?.json());
+async function buildOfClient(client) {
+  return builds.get(client) ?? (await (await readCache(CLIENTS, `./builds/${client}`))?.json());
 }
 
 /**
- * A store that cannot be read is an empty one.
+ * Treats an unreadable cache as empty.
  *
- * @param {string} name of the store
+ * @param {string} name of the cache
  * @param {Request | string} request
  */
-async function storedIn(name, request) {
+async function readCache(name, request) {
   try {
     const cache = await caches.open(name);
     return await cache.match(request, { ignoreSearch: true, ignoreVary: true });
@@ -260,14 +258,14 @@ async function storedIn(name, request) {
 }
 
 /**
- * @param {string} name of the store
- * @param {string} address
+ * @param {string} name of the cache
+ * @param {string} url
  * @param {Response} response
- * @returns whether there was room for it
+ * @returns false if the disk is full
  */
-async function putAway(name, address, response) {
+async function writeCache(name, url, response) {
   try {
-    await (await caches.open(name)).put(address, response);
+    await (await caches.open(name)).put(url, response);
     return true;
   } catch {
     return false;

@@ -4,14 +4,15 @@ import type { StudioSnapshot } from "./element/state.js";
 export { RostoStudio };
 export type { StudioSnapshot };
 
-/** What `rosto-face` tells of the face that is shown. */
+/** Detail of the event `rosto-face`. */
 export interface ShownFace {
-  /** 478 × (x/W, y/H, z/W), MediaPipe's normalised convention; those of the irises last. */
+  /** 478 × (x/W, y/H, z/W), MediaPipe's normalised convention, irises last. */
   landmarks: Float32Array;
   width_px: number;
   height_px: number;
-  /** How many faces the photo has, and which of them it is. */
+  /** Number of faces in the photo. */
   faces: number;
+  /** Index of this face, most prominent first. */
   index: number;
 }
 
