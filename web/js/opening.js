@@ -215,7 +215,7 @@ export class Opening {
    * @param {() => boolean} isWanted
    */
   async #addPhoto(host, file, isWanted) {
-    const max = host.ask((studio) => studio.mostPhotos) ?? 1;
+    const max = host.ask((studio) => studio.maxPhotos) ?? 1;
     if (this.#current && photosOf(this.#current.face).length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
     if ((await kindOf(file)) !== "other") throw { code: "not-a-picture", message: "a saved face", hint: "" };
     const { face: photo, bitmap } = await readPhoto(this.#context.vision, file, stemOf(file), isWanted);

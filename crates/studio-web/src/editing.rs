@@ -13,41 +13,41 @@ fn switch(is_on: bool) -> Switch {
     if is_on { Switch::On } else { Switch::Off }
 }
 
-/// How the face follows.
+/// Edit settings.
 #[wasm_bindgen]
 impl Studio {
-    /// The ids of what there is to choose from, in the order that a panel shows them in. What can be chosen is
-    /// "selection", "preset", "operator", "constraint", "details", "anchors", "shading", "lens", "triangulation" and
-    /// "density".
+    /// Ids of a setting's values, in the order in which a panel shows them. The settings are "selection", "preset",
+    /// "operator", "constraint", "details", "anchors", "scene", "shading", "texture-source", "texture-size", "lens",
+    /// "triangulation" and "density".
     ///
     /// # Errors
     /// `bad-choice`.
     pub fn choices(&self, choice: &str) -> Result<Vec<String>, JsValue> {
-        Ok(FacadeError::unless(Choice::from_id(choice))?.values())
+        Ok(FacadeError::require(Choice::from_id(choice))?.values())
     }
 
-    /// Chooses one of those by its id.
+    /// Sets a setting to the value with this id.
     ///
     /// # Errors
     /// `bad-choice`.
     pub fn choose(&mut self, choice: &str, id: &str) -> Result<ChangeName, JsValue> {
-        let choice = FacadeError::unless(Choice::from_id(choice))?;
-        self.act(FacadeError::unless(choice.intent(id))?)
+        let choice = FacadeError::require(Choice::from_id(choice))?;
+        self.act(FacadeError::require(choice.intent(id))?)
     }
 
-    /// Whether the other side of the face follows.
+    /// Sets whether edits are mirrored to the other side of the face.
     #[wasm_bindgen(js_name = setMirror)]
     pub fn set_mirror(&mut self, mirrored: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Mirror(if mirrored { Mirror::On } else { Mirror::Off }))
     }
 
-    /// Whether an edit reaches no further than the radius.
+    /// Sets whether edits are limited to the influence radius.
     #[wasm_bindgen(js_name = setNearby)]
     pub fn set_nearby(&mut self, nearby: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Nearby(switch(nearby)))
     }
 
-    /// How far along the surface an edit reaches. A drag goes on.
+    /// Sets the influence radius along the surface. A drag continues.
     ///
     /// # Errors
     /// `bad-number`.
@@ -56,7 +56,7 @@ impl Studio {
         self.act(Intent::Radius(radius_mm))
     }
 
-    /// Makes that so many times as far, within its limits.
+    /// Scales the influence radius by a factor, within its range.
     ///
     /// # Errors
     /// `bad-number`.
@@ -65,10 +65,10 @@ impl Studio {
     }
 }
 
-/// Moving what is selected, and the whole face.
+/// Edits of the selection and of the whole face.
 #[wasm_bindgen]
 impl Studio {
-    /// One tick of the sliders: moves what is selected by an offset from where it was at the last commit. No solve.
+    /// Tick of the offset sliders: moves the selection by an offset relative to the last commit. No solve.
     ///
     /// # Errors
     /// `bad-number`.
@@ -81,25 +81,25 @@ impl Studio {
         self.act(Intent::Preview(DVec3::new(dx_mm, dy_mm, dz_mm)))
     }
 
-    /// One tick of a ready-made slider: `toMm` is where it is to stand, its earlier entries counted. The first tick takes
-    /// it in hand (one solve); `commit` and `cancel` end it, after which what is selected is held again.
+    /// Tick of a ready-made slider; `toMm` is its value, including earlier entries. The first tick needs one solve.
+    /// `commit` or `cancel` ends the edit and prepares the selection again.
     ///
     /// # Errors
     /// `no-face`, `bad-choice` or `bad-number`.
     pub fn slide(&mut self, slider: &str, #[wasm_bindgen(js_name = toMm)] to_mm: f64) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Slide(FacadeError::unless(FaceSlider::from_id(slider))?, to_mm))
+        self.act(Intent::Slide(FacadeError::require(FaceSlider::from_id(slider))?, to_mm))
     }
 
-    /// One tick of an expression: `to` is how much of it the face is to show, 0..1, its earlier entries counted; with the mirror,
-    /// its partner of the other side shows as much. `commit` and `cancel` end it.
+    /// Tick of an expression; `to` is its weight, 0..1, including earlier entries. With the mirror, its partner on the
+    /// other side gets the same weight. `commit` or `cancel` ends the edit.
     ///
     /// # Errors
     /// `no-face`, `bad-choice` or `bad-number`.
     pub fn express(&mut self, expression: &str, to: f64) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Express(FacadeError::unless(Expression::from_id(expression))?, to))
+        self.act(Intent::Express(FacadeError::require(Expression::from_id(expression))?, to))
     }
 
-    /// Switches every expression off, as one change.
+    /// Switches off each expression, as one change.
     ///
     /// # Errors
     /// `no-face`.
@@ -108,17 +108,17 @@ impl Studio {
         self.act(Intent::ResetExpressions)
     }
 
-    /// Keeps the edit in progress as one entry of the history; nothing moved is no entry.
+    /// Commits the edit in progress as one entry of the history; no entry if nothing moved.
     pub fn commit(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Commit)
     }
 
-    /// Drops the edit in progress. A drag is over, even if the pointer stays pressed.
+    /// Discards the edit in progress. Ends a drag even if the pointer stays pressed.
     pub fn cancel(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Cancel)
     }
 
-    /// Brings the two sides of the face closer to each other: 100 per cent leaves mirror images.
+    /// Moves both sides of the face towards symmetry; at 100 per cent they are mirror images.
     ///
     /// # Errors
     /// `no-face` or `bad-number`.
@@ -126,7 +126,8 @@ impl Studio {
         self.act(Intent::Symmetrise(per_cent / 100.0))
     }
 
-    /// The pointer is pressed. True if it has grabbed something, which `drag` moves; if not, it turns the face.
+    /// Handles a pointer press. Returns whether it grabbed something for `drag` to move; if not, the pointer orbits the
+    /// view.
     pub fn press(
         &mut self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
@@ -137,8 +138,8 @@ impl Studio {
         Ok(self.session.has_grabbed())
     }
 
-    /// The pressed pointer goes on, and what it has grabbed follows: in the view plane or along an axis; fine is ten
-    /// times slower.
+    /// Handles a movement of the pressed pointer: the grabbed vertex follows in the view plane or along an axis. `fine`
+    /// moves it ten times slower.
     pub fn drag(
         &mut self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
@@ -148,47 +149,47 @@ impl Studio {
         self.act(Intent::Drag(DVec2::new(x_px, y_px), if fine { Pace::Fine } else { Pace::Usual }))
     }
 
-    /// What is dragged follows along one axis only; the same axis again frees it.
+    /// Constrains the drag to one axis; the same axis again removes the constraint.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = dragAlong)]
     pub fn drag_along(&mut self, axis: &str) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Along(FacadeError::unless(Axis::from_id(axis))?))
+        self.act(Intent::Along(FacadeError::require(Axis::from_id(axis))?))
     }
 
-    /// The pointer is let go: what was dragged is kept.
+    /// Handles a pointer release; commits the drag.
     pub fn release(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Release)
     }
 
-    /// Whether something is being dragged.
+    /// Whether the selection is being dragged.
     #[wasm_bindgen(getter)]
     pub fn dragging(&self) -> bool {
         self.session.is_dragging()
     }
 }
 
-/// The history, and how things stand.
+/// History and state.
 #[wasm_bindgen]
 impl Studio {
-    /// Takes the last change of the history back: an edit, an entry switched off or on, or a reset. An edit in progress is
-    /// kept first, and is what is taken back.
+    /// Undoes the last change of the history: an edit, an entry switched on or off, or a reset. An edit in progress is
+    /// committed first and then undone.
     pub fn undo(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Undo)
     }
 
-    /// Brings the last undone change back.
+    /// Redoes the last undone change.
     pub fn redo(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Redo)
     }
 
-    /// Takes all entries away, as one change.
+    /// Removes all entries, as one change.
     pub fn reset(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Reset)
     }
 
-    /// Switches every entry off that moved what is selected, as one change.
+    /// Switches off each entry that moved the selection, as one change.
     ///
     /// # Errors
     /// `no-face` or `no-selection`.
@@ -197,7 +198,7 @@ impl Studio {
         self.act(Intent::ResetSelected)
     }
 
-    /// Lets an entry of the history take part in the shape, or not.
+    /// Switches an entry of the history on or off.
     ///
     /// # Errors
     /// `no-face` or `bad-number`.
@@ -206,12 +207,12 @@ impl Studio {
         self.act(Intent::Switch(index as usize, switch(enabled)))
     }
 
-    /// How things stand; to be read after each change of the document. `free()` it.
+    /// Returns the state; read it after each change of the document. `free()` it after use.
     pub fn state(&self) -> StudioState {
         StudioState::of(&self.session)
     }
 
-    /// How far the edit in progress has gone; to be read after each tick. `free()` it.
+    /// Returns the progress of the edit; read it after each tick. `free()` it after use.
     pub fn tick(&self) -> StudioTick {
         StudioTick::of(self.session.tick())
     }

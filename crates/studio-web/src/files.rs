@@ -10,53 +10,53 @@ use crate::error::FacadeError;
 use crate::readable::readable;
 use crate::state::Snapshot;
 
-/// What is chosen about files, as it is until somebody chooses otherwise. `free()` it after use.
+/// Options of exported files. `free()` it after use.
 #[wasm_bindgen]
 #[derive(Debug, Default)]
 pub struct FileChoices(FileOptions);
 
 #[wasm_bindgen]
 impl FileChoices {
-    /// What is usual.
+    /// Creates the default options.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Chooses one thing by ids: "base-colour" ("whole", "photo", "colours"),
-    /// "material" ("lit", "unlit"), "edits" and "expressions" ("shape", "morph-targets"), "eyes" ("skin", "pieces"),
-    /// "units" ("mm", "image"), "solid" ("thickness:MM", "flat:MM", "surface").
+    /// Sets an option by ids: "base-colour" ("whole", "photo", "colours"), "material" ("lit", "unlit"), "edits" and
+    /// "expressions" ("shape", "morph-targets"), "eyes" ("skin", "pieces"), "units" ("mm", "image"), "solid"
+    /// ("thickness:MM", "flat:MM", "surface").
     ///
     /// # Errors
     /// `bad-choice`.
     pub fn choose(&mut self, what: &str, id: &str) -> Result<(), JsValue> {
         let Self(options) = self;
         match what {
-            "base-colour" => options.base_colour = FacadeError::unless(BaseColour::from_id(id))?,
-            "material" => options.material = FacadeError::unless(Material::from_id(id))?,
-            "edits" => options.edits = FacadeError::unless(EditsAs::from_id(id))?,
-            "expressions" => options.expressions = FacadeError::unless(ExpressionsAs::from_id(id))?,
-            "eyes" => options.eyes = FacadeError::unless(Eyes::from_id(id))?,
-            "units" => options.units = FacadeError::unless(Units::from_id(id))?,
-            "solid" => options.solid = FacadeError::unless(id.parse().ok())?,
-            _ => FacadeError::unless(None)?,
+            "base-colour" => options.base_colour = FacadeError::require(BaseColour::from_id(id))?,
+            "material" => options.material = FacadeError::require(Material::from_id(id))?,
+            "edits" => options.edits = FacadeError::require(EditsAs::from_id(id))?,
+            "expressions" => options.expressions = FacadeError::require(ExpressionsAs::from_id(id))?,
+            "eyes" => options.eyes = FacadeError::require(Eyes::from_id(id))?,
+            "units" => options.units = FacadeError::require(Units::from_id(id))?,
+            "solid" => options.solid = FacadeError::require(id.parse().ok())?,
+            _ => FacadeError::require(None)?,
         }
         Ok(())
     }
 }
 
 readable! {
-    /// What a printed body measures.
+    /// Measures of a body for printing.
     pub struct PrintedBody {
-        /// What it encloses, in cm³.
+        /// Enclosed volume, in cm³.
         volume_cm3 as volumeCm3: f64,
-        /// The sides of the box around it, in mm: x, y, z.
+        /// Sides of the bounding box, in mm: x, y, z.
         size_mm as sizeMm: Vec<f64>,
-        /// How thick its wall is where it is thinnest, in mm.
+        /// Smallest wall thickness, in mm.
         thinnest_mm as thinnestMm: f64,
-        /// How far sharp folds that left no room for the wall were rounded off, in mm; 0 where none did.
+        /// Distance by which sharp folds were rounded to make room for the wall, in mm; 0 if none were.
         moved_mm as movedMm: f64,
-        /// What it weighs in g if it is filled with PLA.
+        /// Mass in g if printed solid in PLA.
         pla_grams as plaGrams: f64,
     }
 }
@@ -69,84 +69,84 @@ impl From<SolidFacts> for PrintedBody {
     }
 }
 
-/// How often a mesh is subdivided unless somebody chooses otherwise.
-#[wasm_bindgen(js_name = usualDensity)]
-pub fn usual_density() -> u32 {
+/// Default density.
+#[wasm_bindgen(js_name = defaultDensity)]
+pub fn default_density() -> u32 {
     SMOOTH_DENSITY
 }
 
-/// What the wall or the back of a printed body may measure in mm: the least and the most.
+/// Range of the thickness of the wall or back of a printed body: minimum and maximum, in mm.
 #[wasm_bindgen(js_name = solidRangeMm)]
 pub fn solid_range_mm() -> Vec<f64> {
     SOLID_MM.to_vec()
 }
 
-/// What leaves the page.
+/// File export.
 #[wasm_bindgen]
 impl Studio {
-    /// The formats that are for printing, by their ids.
+    /// Ids of the formats for 3D printing.
     #[wasm_bindgen(getter, js_name = printedFormats)]
     pub fn printed_formats(&self) -> Vec<String> {
         rosto_session::printed_formats().map(|format| format.id().to_owned()).collect()
     }
 
-    /// The formats that have no choices of their own, by their ids: a button does for each.
+    /// Ids of the formats without format-specific options, each offered as a plain button.
     #[wasm_bindgen(getter, js_name = plainFormats)]
     pub fn plain_formats(&self) -> Vec<String> {
         rosto_session::plain_formats().map(|format| format.id().to_owned()).collect()
     }
 
-    /// Whether a format has a place for what paints the face.
+    /// Whether a format supports a choice of the base colour.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = isPainted)]
     pub fn is_painted(&self, format: &str) -> Result<bool, JsValue> {
-        Ok(FacadeError::unless(Format::from_id(format))?.supports(ExportOption::BaseColour))
+        Ok(FacadeError::require(Format::from_id(format))?.supports(ExportOption::BaseColour))
     }
 
-    /// The media type of a format's files.
+    /// Media type of a format's files.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = mediaType)]
     pub fn media_type(&self, format: &str) -> Result<String, JsValue> {
-        Ok(FacadeError::unless(Format::from_id(format))?.media_type().to_owned())
+        Ok(FacadeError::require(Format::from_id(format))?.media_type().to_owned())
     }
 
-    /// How the name of a format's file ends: as the format is called, or "zip" where there are several files.
+    /// Extension of a format's file: the format's own, or "zip" if there are companion files.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = fileEnding)]
     pub fn file_ending(&self, format: &str, choices: &FileChoices) -> Result<String, JsValue> {
-        let format = FacadeError::unless(Format::from_id(format))?;
+        let format = FacadeError::require(Format::from_id(format))?;
         Ok(format.bundle_extension(choices.0.base_colour).to_owned())
     }
 
-    /// The face as a file, at the density that is shown; a glTF with what opens it again in the scene's extras. Each format
-    /// takes of the choices what it has a place for. Where there are several files it is a zip archive of them all.
+    /// Exports the face at the displayed density. A glTF stores the project in the scene's extras. A format uses the
+    /// options that it supports. Companion files are included by returning a zip archive.
     ///
     /// # Errors
     /// `no-face`, `bad-choice`, `too-thick`, `no-body`, `surface-alone` or `cannot-export`.
     #[wasm_bindgen(js_name = exportFile)]
     pub fn export_file(&mut self, format: &str, choices: &FileChoices) -> Result<Vec<u8>, JsValue> {
-        let format = FacadeError::unless(Format::from_id(format))?;
+        let format = FacadeError::require(Format::from_id(format))?;
         Ok(self.session.bundled_file(format, &choices.0).map_err(FacadeError::from)?)
     }
 
-    /// How many points and triangles the mesh in a file has, before it is saved.
+    /// Numbers of points and triangles that an exported mesh will have.
     ///
     /// # Errors
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = meshCounts)]
     pub fn mesh_counts(&self, format: &str, choices: &FileChoices) -> Result<Vec<u32>, JsValue> {
-        let format = FacadeError::unless(Format::from_id(format))?;
+        let format = FacadeError::require(Format::from_id(format))?;
         let counts = self.session.mesh_counts(format, &choices.0).map_err(FacadeError::from)?;
         Ok(counts.map(|count| count as u32).to_vec())
     }
 
-    /// What the body for printing measures, before it is saved; undefined of the surface alone.
+    /// Measures of the body for printing, before it is saved; undefined if only the surface is exported.
     ///
     /// # Errors
     /// `no-face`, `too-thick` or `no-body`.
@@ -155,10 +155,10 @@ impl Studio {
         Ok(self.session.solid_facts(choices.0.solid).map_err(FacadeError::from)?.map(PrintedBody::from))
     }
 
-    /// A picture of the face in any size, as it is seen but for marks and tools; transparent where there is no face, if asked so.
+    /// Renders a picture of the view in any size, without marks and tools, optionally with a transparent background.
     ///
     /// # Errors
-    /// `device-lost` at once; `no-memory` or `not-drawn` later.
+    /// Throws `device-lost`; the promise rejects with `no-memory` or `not-drawn`.
     #[wasm_bindgen(unchecked_return_type = "Promise<Snapshot>")]
     pub fn snapshot(
         &mut self,
@@ -173,7 +173,7 @@ impl Studio {
         Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(FacadeError::from)?).into()) }))
     }
 
-    /// The project file: landmarks, edits, and the photo as the PNG that is given.
+    /// Writes the project file: landmarks, edits, and the photo as the given PNG.
     ///
     /// # Errors
     /// `no-face` or `cannot-export`.

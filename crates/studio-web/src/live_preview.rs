@@ -12,8 +12,8 @@ use crate::shown::CameraStream;
 /// The live preview.
 #[wasm_bindgen]
 impl Studio {
-    /// Shows the next frame of the camera with the open face's edits: its landmarks as `openFace` takes them, or nothing where no
-    /// face is in it. The first frame begins the live preview.
+    /// Shows the next frame of the camera with the open face's edits. `landmarks` are as for `openFace`, or undefined
+    /// if the frame contains no face. The first frame starts the live preview.
     ///
     /// # Errors
     /// `no-face`, `bad-face` or `device-lost`.
@@ -30,7 +30,7 @@ impl Studio {
         Ok(())
     }
 
-    /// Ends the live preview: the photo is there again.
+    /// Ends the live preview and shows the photo again.
     #[wasm_bindgen(js_name = endLivePreview)]
     pub fn end_live_preview(&mut self) {
         self.session.end_live_preview();
@@ -40,7 +40,7 @@ impl Studio {
 }
 
 impl Studio {
-    /// Room for a frame of that size; none where there is.
+    /// Reserves a texture for frames of this size; `None` if the current one fits.
     fn camera_stream_for(&self, size_px: [u32; 2]) -> Result<Option<CameraStream>> {
         if self.camera_stream.as_ref().is_some_and(|camera_stream| camera_stream.size_px == size_px) {
             return Ok(None);
@@ -50,7 +50,8 @@ impl Studio {
     }
 
     fn take_frame(&mut self, frame: &ImageBitmap) -> Result<()> {
-        // Without a face in the frame, the mesh keeps the last one that had one, unless the camera stream itself is seen.
+        // The mesh keeps the last frame with a face. A frame without a face is only uploaded if the picture is
+        // displayed.
         let is_seen = self.session.live_preview().is_some_and(LivePreview::is_seen);
         if is_seen || self.session.stage().scene() == Scene::Picture {
             self.write_frame(frame)?;
@@ -64,20 +65,20 @@ impl Studio {
         Ok(self.viewport.write_frame(&camera_stream.on_gpu, frame)?)
     }
 
-    /// Only a browser has bitmaps; elsewhere this crate is built for its tests alone.
+    /// Bitmaps exist only in browsers; other targets build this crate for its tests.
     #[cfg(not(target_arch = "wasm32"))]
     fn write_frame(&self, _: &ImageBitmap) -> Result<()> {
         Ok(())
     }
 
-    /// What changes while the camera stream runs: the edits follow at once, and do not wait for the next frame.
+    /// Shows a change during the live preview. Edits are applied to the current frame without waiting for the next one.
     pub(crate) fn show_live_preview(&mut self, changed: Changed) -> Result<()> {
         if self.session.live_preview().is_none() {
             self.camera_stream = None;
             return self.show(changed);
         }
-        // The panel still has the photo.
-        self.note_for_photo(changed);
+        // The panel still shows the photo.
+        self.mark_photo_due(changed);
         if changed >= Changed::Mesh || self.pieces.is_some() {
             self.show_mesh()?;
             if let Some(camera_stream) = &mut self.camera_stream {
@@ -91,7 +92,7 @@ impl Studio {
         if changed >= Changed::Document
             && let Some(face) = self.session.face()
         {
-            // What the mesh follows is brought with each frame, not by fields.
+            // The positions come with each frame instead of influence fields.
             let influence_distances = face.document().influence_distances();
             self.viewport.set_fields([None, None], influence_distances.as_deref())?;
         }
@@ -117,7 +118,7 @@ impl Studio {
         }
         self.viewport.carry_photo_layer(&warp_mesh.from_px, &warp_mesh.to_px)?;
         if live_preview.edited_m().len() != face.document().rest().len() {
-            // No face was seen since this mesh is there.
+            // No frame with a face has arrived since the mesh changed.
             return Ok(());
         }
         if !std::mem::replace(&mut camera_stream.is_on_mesh, true) {

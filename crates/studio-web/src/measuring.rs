@@ -6,11 +6,11 @@ use crate::Studio;
 use crate::error::FacadeError;
 use crate::modes::ChangeName;
 
-/// How the photo was taken, and how large the face is.
+/// The photo's lens and the face's measures.
 #[wasm_bindgen]
 impl Studio {
-    /// What is known of the open face beside its mesh, as the text of a JSON object: how its photo was taken, how the head is
-    /// turned, and the usual measures of its shape as it is edited.
+    /// Data of the open face apart from its mesh, as JSON text: its photo's lens, the pose of the head, and the
+    /// measures of its edited shape.
     ///
     /// # Errors
     /// `no-face`.
@@ -18,30 +18,30 @@ impl Studio {
         Ok(self.face()?.about_json())
     }
 
-    /// The ids of the usual measures, in the order in which they are shown.
+    /// Ids of the measures, in display order.
     #[wasm_bindgen(getter, js_name = measureIds)]
     pub fn measure_ids(&self) -> Vec<String> {
         Measure::ALL.map(|measure| measure.id().to_owned()).to_vec()
     }
 
-    /// What is taken to be known of the photo's lens; undefined while no face is open.
+    /// Lens of the photo; undefined without a face.
     #[wasm_bindgen(getter, js_name = photoLens)]
     pub fn photo_lens(&self) -> Option<String> {
         self.session.face().map(|face| face.model().lens().to_string())
     }
 
-    /// Takes the photo as taken through another lens: `estimated`, `exif:MM`, `given:MM` or `distance:M`. The model follows,
-    /// with its edits.
+    /// Sets the lens of the photo: `estimated`, `exif:MM`, `given:MM` or `distance:M`. Rebuilds the model and reapplies
+    /// the edits.
     ///
     /// # Errors
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = setPhotoLens)]
     pub fn set_photo_lens(&mut self, lens: &str) -> Result<ChangeName, JsValue> {
         let lens: Option<PhotoLens> = lens.parse().ok();
-        self.act(Intent::PhotoLens(FacadeError::unless(lens)?))
+        self.act(Intent::PhotoLens(FacadeError::require(lens)?))
     }
 
-    /// From one vertex to another in mm: straight, and along the surface.
+    /// Distance between two vertices in mm: straight, and along the surface.
     ///
     /// # Errors
     /// `no-face` or `bad-vertex`.

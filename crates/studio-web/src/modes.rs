@@ -1,13 +1,13 @@
-//! What the page switches on; these become TypeScript string unions. What it merely passes on, such as what a panel
-//! offers, stays a text: see [`rosto_session::Choice`].
+//! Ids on which the page branches, as TypeScript string unions. Ids that the page only passes on, such as the values of
+//! a setting, are strings; see [`rosto_session::Choice`].
 
-#![expect(missing_docs, reason = "wasm-bindgen adds a variant and functions of its own, without words")]
+#![expect(missing_docs, reason = "wasm-bindgen adds an undocumented variant and functions")]
 
 use rosto_session::Changed;
 use rosto_stage::Pointer;
 use wasm_bindgen::prelude::*;
 
-/// What points at the canvas, as the browser's pointer events name it.
+/// Type of a pointer, named as in the browser's pointer events.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PointerName {
@@ -15,7 +15,7 @@ pub enum PointerName {
     Mouse = "mouse",
     /// A pen.
     Pen = "pen",
-    /// A finger.
+    /// Touch.
     Touch = "touch",
 }
 
@@ -25,17 +25,17 @@ impl From<PointerName> for Pointer {
     }
 }
 
-/// What an intent has changed, and so what is to be read again.
+/// Extent of an intent's change, which determines what to read again.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChangeName {
-    /// Nothing.
+    /// No change.
     Nothing = "nothing",
-    /// What is seen: draw.
+    /// The view: draw.
     View = "view",
-    /// How far the edit in progress has gone: draw, and read `tick()`.
+    /// The edit in progress: draw, and read `tick()`.
     Tick = "tick",
-    /// Anything: draw, and read `state()` as well.
+    /// The document: draw, and read `state()` and `tick()`.
     Document = "document",
 }
 
@@ -50,35 +50,35 @@ impl From<Changed> for ChangeName {
     }
 }
 
-/// Why what is selected cannot be moved.
+/// Why the selection cannot be moved.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RefusalName {
-    /// Nothing else is held, so that the whole face would follow.
+    /// No anchor is set, so the whole face would move.
     Unanchored = "unanchored",
     /// Any other reason.
     Other = "other",
 }
 
-/// What a file is.
+/// Kind of a file.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKindName {
     /// Binary glTF.
     Glb = "glb",
-    /// A project that was saved here.
+    /// Rosto project.
     Project = "project",
-    /// Anything else, such as a photo.
+    /// Another file, such as a photo.
     Other = "other",
 }
 
-/// What the paper's Table 1 times.
+/// A task that Table 1 of the paper times.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TaskName {
     /// Photo to landmarks.
     Extraction = "extraction",
-    /// Landmarks to coloured mesh.
+    /// Landmarks to the coloured mesh.
     Generation = "generation",
     /// Moving a vertex by the small offset.
     SmallEdit = "small-edit",

@@ -7,23 +7,23 @@ use crate::Studio;
 use crate::error::FacadeError;
 use crate::state::{StudioEntry, StudioRange, StudioSlider, StudioTarget};
 
-/// What things are, by their ids, and what numbers go through. The page has the words.
+/// Ids and ranges for the panels; the page has the words.
 #[wasm_bindgen]
 impl Studio {
-    /// The ids of all landmarks, such as "left-mouth-corner" or "left-cheek-425", in their order.
+    /// Ids of the landmarks, in order, such as "left-mouth-corner" or "left-cheek-425".
     #[wasm_bindgen(getter, js_name = landmarkIds)]
     pub fn landmark_ids(&self) -> Vec<String> {
         (0..LANDMARK_COUNT as u32).map(landmark_id).collect()
     }
 
-    /// What is selected; undefined where nothing is. `free()` it.
+    /// Target of the selection; undefined without one. `free()` it after use.
     #[wasm_bindgen(getter, js_name = selectedTarget)]
     pub fn selected_target(&self) -> Option<StudioTarget> {
         self.session.selected_target().map(|target| self.target(target))
     }
 
-    /// What a drag that starts at a vertex moves: what is selected, if the vertex is part of it, or what is selected there.
-    /// `free()` it.
+    /// Target of a drag that starts at a vertex: the selection if it contains the vertex, else what a click there
+    /// selects. `free()` it after use.
     ///
     /// # Errors
     /// `bad-vertex`.
@@ -32,7 +32,7 @@ impl Studio {
         Ok(self.target(self.session.target_at(vertex).map_err(FacadeError::from)?))
     }
 
-    /// The latest entries of the history, oldest first: as many as asked for. `free()` each, and its target.
+    /// The latest `most` entries of the history, oldest first. `free()` each of them and its target after use.
     #[wasm_bindgen(js_name = latestEntries)]
     pub fn latest_entries(&self, most: u32) -> Vec<StudioEntry> {
         let rows = self.session.face().map_or(&[][..], OpenFace::rows);
@@ -40,13 +40,13 @@ impl Studio {
         latest.iter().map(|row| StudioEntry::of(row, self.target(row.target))).collect()
     }
 
-    /// The ids of every region that can be moved as one, from the forehead down.
+    /// Ids of the regions, from the forehead down.
     #[wasm_bindgen(getter, js_name = regionIds)]
     pub fn region_ids(&self) -> Vec<String> {
         Region::ALL.map(|region| region.id().to_owned()).to_vec()
     }
 
-    /// Every ready-made slider, in the order of the tick's values.
+    /// The ready-made sliders, in the order of the tick's values.
     #[wasm_bindgen(getter, js_name = faceSliders)]
     pub fn face_sliders(&self) -> Vec<StudioSlider> {
         let slider =
@@ -54,19 +54,19 @@ impl Studio {
         FaceSlider::ALL.map(slider).to_vec()
     }
 
-    /// The ids of all expressions, ARKit's names, in the order of the tick's weights.
+    /// Ids of the expressions (ARKit's names), in the order of the tick's weights.
     #[wasm_bindgen(getter, js_name = expressionIds)]
     pub fn expression_ids(&self) -> Vec<String> {
         Expression::ALL.map(|expression| expression.id().to_owned()).to_vec()
     }
 
-    /// What the sliders of what is selected go through, in mm.
+    /// Range of the selection's offset sliders, in mm.
     #[wasm_bindgen(getter, js_name = offsetRange)]
     pub fn offset_range(&self) -> StudioRange {
         SLIDER_MM.into()
     }
 
-    /// What the radius goes through, in mm.
+    /// Range of the influence radius, in mm.
     #[wasm_bindgen(getter, js_name = radiusRange)]
     pub fn radius_range(&self) -> StudioRange {
         RADIUS_MM.into()

@@ -13,24 +13,24 @@ use crate::error::{FacadeError, Result};
 use crate::modes::TaskName;
 use crate::readable::readable;
 
-/// The paper's experiment on the open face, apart from the work on it.
+/// The paper's experiment on the open face; independent of its edits.
 ///
-/// The page keeps the clock: it calls `repeat` for as long as it takes to be timed, then `goOn` with the time of one, and
-/// so on until all is done. `free()` it in the end.
+/// The page measures time: it calls `repeat` until a step can be timed, then `goOn` with the time per repetition, until
+/// `share` is 1. `free()` it after use.
 #[wasm_bindgen]
 pub struct PaperRun {
     face: Landmarks,
     experiment: Experiment,
     generation_ms: Option<f64>,
-    /// Every method's trials, one after the other; the paper's own method first.
+    /// Trials of each method; the paper's method comes first.
     trials: Vec<Trial>,
     runs: usize,
-    /// The trial that is under way, its next edit, and where that takes the vertices.
+    /// The current trial, its next edit, and the resulting positions.
     place: usize,
-    made: Option<(Plan, Vec<DVec3>)>,
+    pending: Option<(Plan, Vec<DVec3>)>,
 }
 
-/// What the initial generation starts from.
+/// Input of the initial generation.
 struct Landmarks {
     landmarks: Vec<[f32; 3]>,
     colours: Vec<[u8; 3]>,
@@ -39,7 +39,7 @@ struct Landmarks {
 
 #[wasm_bindgen]
 impl Studio {
-    /// Prepares the experiment: each method over so many random choices of vertices and anchors, counted from `seed`.
+    /// Creates the experiment: `runs` random choices of vertices and anchors per method, with seeds from `seed`.
     ///
     /// # Errors
     /// `no-face` or `cannot-solve`.
@@ -51,14 +51,14 @@ impl Studio {
 
 #[wasm_bindgen]
 impl PaperRun {
-    /// How much is done, from 0 to 1; at 1, all.
+    /// Completed share of the experiment, 0..1.
     #[wasm_bindgen(getter)]
     pub fn share(&self) -> f64 {
         let done: usize = self.trials.iter().map(|trial| trial.edits().len()).sum();
         done as f64 / (self.trials.len() * DEGREES.len() * OFFSETS.len()) as f64
     }
 
-    /// Makes the next step so many times, from nothing each time.
+    /// Repeats the next step `times` times, from scratch each time.
     ///
     /// # Errors
     /// `cannot-solve`.
@@ -69,12 +69,12 @@ impl PaperRun {
         Ok(())
     }
 
-    /// Goes on to the step after the one that was repeated and took so long each time.
+    /// Records the repeated step with its time and continues with the next one.
     #[wasm_bindgen(js_name = goOn)]
     pub fn go_on(&mut self, #[wasm_bindgen(js_name = eachMs)] each_ms: f64) {
         if self.generation_ms.is_none() {
             self.generation_ms = Some(each_ms);
-        } else if let (Some(trial), Some((plan, edited))) = (self.trials.get_mut(self.place), self.made.take()) {
+        } else if let (Some(trial), Some((plan, edited))) = (self.trials.get_mut(self.place), self.pending.take()) {
             trial.go_on(&self.experiment, plan, edited, Duration::from_secs_f64(each_ms.max(0.0) / 1000.0));
             if trial.next_edit(&self.experiment).is_none() {
                 self.place += 1;
@@ -82,7 +82,7 @@ impl PaperRun {
         }
     }
 
-    /// Table 1 of the paper beside the first run here.
+    /// Table 1 of the paper, with the times of the first run.
     pub fn table(&self) -> Vec<PaperRow> {
         let mut edits = self.trials[0].edits().iter();
         let row = |row: &TableRow| {
@@ -100,7 +100,7 @@ impl PaperRun {
         TABLE_1.iter().map(row).collect()
     }
 
-    /// What each method took and did.
+    /// Results of each method.
     pub fn methods(&self) -> Vec<PaperMethod> {
         let of_method = |(method, trials): (Method, &[Trial])| {
             let outcome = MethodOutcome::of(&self.experiment, method, trials);
@@ -118,9 +118,9 @@ impl PaperRun {
         Method::all().into_iter().zip(self.trials.chunks(self.runs)).map(of_method).collect()
     }
 
-    /// What the paper claims, as figures for its own method.
+    /// The paper's claims as numbers, for its method.
     pub fn claims(&self) -> PaperClaims {
-        let claims = Claims::of(self.of_paper());
+        let claims = Claims::of(self.papers_trials());
         PaperClaims {
             degree_ratio: claims.degree_ratio,
             offset_ratio: claims.offset_ratio,
@@ -129,7 +129,7 @@ impl PaperRun {
         }
     }
 
-    /// Time against degree and offset for the paper's own method, as an SVG picture.
+    /// SVG plot of time against degree and offset, for the paper's method.
     pub fn plot(
         &self,
         #[wasm_bindgen(js_name = widthPx)] width_px: f64,
@@ -139,7 +139,7 @@ impl PaperRun {
         small: String,
         large: String,
     ) -> String {
-        svg(self.of_paper(), [width_px, height_px], &PlotWords { title, degree, small, large })
+        svg(self.papers_trials(), [width_px, height_px], &PlotWords { title, degree, small, large })
     }
 }
 
@@ -157,7 +157,7 @@ impl PaperRun {
             colours: face.colours_srgb().to_vec(),
             photo_size_px: face.photo_size_px(),
         };
-        Ok(Self { face, experiment, generation_ms: None, trials, runs: runs as usize, place: 0, made: None })
+        Ok(Self { face, experiment, generation_ms: None, trials, runs: runs as usize, place: 0, pending: None })
     }
 
     fn step(&mut self) -> Result<()> {
@@ -167,17 +167,17 @@ impl PaperRun {
         let Some(trial) = self.trials.get(self.place) else { return Ok(()) };
         let Some(plan) = trial.next_edit(&self.experiment) else { return Ok(()) };
         let edited = trial.edit(&self.experiment, &plan).map_err(StudioError::from)?;
-        self.made = Some((plan, edited));
+        self.pending = Some((plan, edited));
         Ok(())
     }
 
-    fn of_paper(&self) -> &[Trial] {
+    fn papers_trials(&self) -> &[Trial] {
         &self.trials[..self.runs]
     }
 }
 
 impl Landmarks {
-    /// Landmarks to coloured mesh. The photo is not a part of it: it only lends its colours, which are there.
+    /// Landmarks to coloured mesh. The photo contributes only its colours, which are already sampled.
     fn generate(&self) -> Result<()> {
         let picture = Photo::from_rgb(1, 1, vec![0; 3])
             .map_err(|error| FacadeError::new("internal", error.to_string(), "Open the photo again."))?;
@@ -196,53 +196,53 @@ impl Landmarks {
 }
 
 readable! {
-    /// A row of the paper's Table 1, with the time here.
+    /// A row of the paper's Table 1, with the time measured here.
     pub struct PaperRow {
-        /// What was timed.
+        /// The timed task.
         task: TaskName,
-        /// Number of neighbours of the vertex that was moved; 0 where none was.
+        /// Number of neighbours of the moved vertex; 0 for other tasks.
         degree: u32,
-        /// The paper's first test, ms.
+        /// Time in the paper's first test, ms.
         first_ms as firstMs: f64,
-        /// The paper's second test, ms.
+        /// Time in the paper's second test, ms.
         second_ms as secondMs: f64,
-        /// Here, ms; undefined where it was not timed.
+        /// Time measured here, ms; undefined if not measured.
         here_ms as hereMs: Option<f64>,
     }
 }
 
 readable! {
-    /// What one way of editing took and did: medians over the runs, after all six edits.
+    /// Results of a method: medians over the runs, after all six edits.
     pub struct PaperMethod {
-        /// What δ-coordinates were taken with.
+        /// Operator of the δ-coordinates.
         operator: String,
         /// How firmly handle and anchors were held.
         constraint: String,
-        /// Time for an edit, ms.
+        /// Time of an edit, ms.
         time_ms as timeMs: f64,
         /// `‖δ' − δ‖` over the mesh, in image units.
         bent: f64,
-        /// By how many times the edge that grew most is longer.
+        /// Greatest ratio of an edge's length to its length at rest.
         stretch: f64,
-        /// Triangles turned over.
+        /// Number of inverted triangles.
         flipped: f64,
-        /// Edits that raised no peak without a gradual rise.
+        /// Number of edits that raised no isolated peak.
         smooth: u32,
-        /// All edits.
+        /// Number of edits.
         edits: u32,
     }
 }
 
 readable! {
-    /// The paper's claims as figures.
+    /// The paper's claims as numbers.
     pub struct PaperClaims {
-        /// The slowest degree's median time over the fastest's.
+        /// Ratio of the slowest degree's median time to the fastest's.
         degree_ratio as degreeRatio: f64,
-        /// The slower offset's median time over the faster's.
+        /// Ratio of the slower offset's median time to the faster's.
         offset_ratio as offsetRatio: f64,
-        /// Edits that raised no peak without a gradual rise.
+        /// Number of edits that raised no isolated peak.
         smooth: u32,
-        /// All edits.
+        /// Number of edits.
         edits: u32,
     }
 }

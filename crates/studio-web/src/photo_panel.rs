@@ -7,11 +7,11 @@ use crate::Studio;
 use crate::error::FacadeError;
 use crate::shown::PanelPhoto;
 
-/// The photo on the panel, with the edits.
+/// The edited photo on the panel.
 #[wasm_bindgen]
 impl Studio {
-    /// The part of the photo that the panel shows, as it was taken: RGBA, `width` px wide, with its top left corner at a place of
-    /// the upright photo, `scale` times its size.
+    /// Sets the part of the original photo that the panel shows: RGBA, `width` px wide, with its top left corner at a
+    /// position in the upright photo, at `scale` times its size.
     ///
     /// # Errors
     /// `bad-face`.
@@ -31,7 +31,7 @@ impl Studio {
         Ok(())
     }
 
-    /// That part with the edits, RGBA; undefined where nothing moves in it, or before there is one.
+    /// The panel's part of the photo with the edits, RGBA; undefined if nothing moves in it or no part is set.
     #[wasm_bindgen(js_name = panelPhoto)]
     pub fn panel_photo(&self) -> Option<Vec<u8>> {
         let PanelPhoto { photo, corner_px, scale } = self.photo_shown.panel.as_ref()?;

@@ -9,15 +9,15 @@ use crate::picture::OpenPicture;
 use crate::readable::readable;
 
 readable! {
-    /// One of the photos of the open face.
+    /// A photo of the open face.
     pub struct StudioPhoto {
-        /// Whether it leads: its colours, size and lens are the face's, and it is the one that is shown.
+        /// Whether it is the leading photo: its colours, size and lens are the face's, and it is the displayed one.
         leads: bool,
-        /// How far the head is turned in it, in degrees: above 0 to the subject's own left.
+        /// Yaw of the head in degrees; positive to the subject's left.
         yaw_deg as yawDeg: f64,
-        /// "front", "left" or "right"; undefined in between and beyond.
+        /// "front", "left" or "right"; undefined for other angles.
         turn: Option<String>,
-        /// Whether no other photo shows the face from there.
+        /// Whether it shows a turn that neither the leading photo nor an earlier one shows.
         adds: bool,
     }
 }
@@ -32,8 +32,8 @@ impl From<PhotoFacts> for StudioPhoto {
 /// Several photos of one face.
 #[wasm_bindgen]
 impl Studio {
-    /// Takes the picture that was opened last for a photo of the face to be opened next, with what was found in it as `openFace`
-    /// takes it; the next picture is of a further photo of that face. They keep this order.
+    /// Adds the last opened picture, with its detection as for `openFace`, to the photos of the next face. The next
+    /// picture is a further photo of that face. The photos keep this order.
     ///
     /// # Errors
     /// `bad-face` or `bad-choice`.
@@ -46,12 +46,12 @@ impl Studio {
         colours: &[u8],
         lens: &str,
     ) -> Result<(), JsValue> {
-        let photo = self.photo_found(landmarks, [width, height], colours, lens)?;
+        let photo = self.detected_photo(landmarks, [width, height], colours, lens)?;
         self.next_photos.push(photo);
         Ok(())
     }
 
-    /// Takes it for a further photo of the open face, whose edits stay.
+    /// Adds the last opened picture to the open face as a further photo; the edits are reapplied.
     ///
     /// # Errors
     /// `bad-face`, `another-face`, `too-many-photos` or `bad-choice`.
@@ -64,32 +64,32 @@ impl Studio {
         colours: &[u8],
         lens: &str,
     ) -> Result<ChangeName, JsValue> {
-        let (photo, picture) = self.photo_found(landmarks, [width, height], colours, lens)?;
+        let (photo, picture) = self.detected_photo(landmarks, [width, height], colours, lens)?;
         Ok(self.change_photos(Intent::AddPhoto(Box::new(photo)), Some(picture))?)
     }
 
-    /// Takes one of the photos away from the open face, by its place in `photos`. The edits stay.
+    /// Removes a photo of the open face, by its index in `photos`; the edits are reapplied.
     ///
     /// # Errors
-    /// `bad-number` for one that is not there, `too-many-photos` for the only one.
+    /// `bad-number` if it does not exist, `too-many-photos` if it is the only one.
     #[wasm_bindgen(js_name = removePhoto)]
     pub fn remove_photo(&mut self, photo: u32) -> Result<ChangeName, JsValue> {
         Ok(self.change_photos(Intent::RemovePhoto(photo as usize), None)?)
     }
 
-    /// The photos of the open face in the order that they were given in.
+    /// The photos of the open face, in the order in which they were added.
     pub fn photos(&self) -> Vec<StudioPhoto> {
         let face = self.session.face();
         face.map(|face| face.photos().into_iter().map(StudioPhoto::from).collect()).unwrap_or_default()
     }
 
-    /// As many photos of one face are read together at most.
-    #[wasm_bindgen(getter, js_name = mostPhotos)]
-    pub fn most_photos(&self) -> u32 {
+    /// Maximum number of photos of one face.
+    #[wasm_bindgen(getter, js_name = maxPhotos)]
+    pub fn max_photos(&self) -> u32 {
         rosto_face::MAX_PHOTOS as u32
     }
 
-    /// The turns of the head that none of them shows: of "front", "left" and "right".
+    /// The turns of the head that no photo shows: of "front", "left" and "right".
     #[wasm_bindgen(js_name = missingTurns)]
     pub fn missing_turns(&self) -> Vec<String> {
         let missing = self.session.face().map(rosto_session::OpenFace::missing_turns).unwrap_or_default();
@@ -98,8 +98,8 @@ impl Studio {
 }
 
 impl Studio {
-    /// The picture that was opened last, with what was found in it.
-    pub(crate) fn photo_found(
+    /// The last opened picture with its detection.
+    pub(crate) fn detected_photo(
         &self,
         landmarks: &[f32],
         photo_size_px: [u32; 2],
@@ -112,14 +112,14 @@ impl Studio {
             photo_size_px,
             colours_srgb: colours.as_chunks::<3>().0.to_vec(),
             picture: picture.photo.clone(),
-            lens: FacadeError::unless(lens.parse().ok())?,
+            lens: FacadeError::require(lens.parse().ok())?,
         };
         Ok((photo, picture))
     }
 
     fn change_photos(&mut self, intent: Intent, added: Option<OpenPicture>) -> Result<ChangeName> {
         let changed = self.session.apply(intent)?;
-        // One that cannot be brought to the GPU now is, with all else, before the next frame.
+        // If the upload fails, the next frame uploads everything again.
         match self.show_lead(added) {
             Ok(()) => self.show_soon(changed),
             Err(_) => self.show_later(),
@@ -127,7 +127,7 @@ impl Studio {
         Ok(changed.into())
     }
 
-    /// The photo that leads is the one on the GPU.
+    /// Uploads the leading photo if it has changed.
     pub(crate) fn show_lead(&mut self, added: Option<OpenPicture>) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         let lead = face.model().picture();

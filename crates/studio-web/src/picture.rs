@@ -3,7 +3,7 @@ use rosto_viewport::{PictureOnGpu, Viewport, ViewportError};
 
 use crate::error::{FacadeError, Result};
 
-/// The upright photo of a face: its pixels, for files and colours, and the same on the GPU.
+/// The upright photo of a face: its pixels, for files and colours, and its GPU texture.
 #[derive(Debug, Clone)]
 pub(crate) struct OpenPicture {
     pub photo: Photo,
@@ -11,12 +11,12 @@ pub(crate) struct OpenPicture {
 }
 
 impl OpenPicture {
-    /// The same picture on another GPU.
+    /// Uploads the picture to another GPU.
     pub fn on(&self, viewport: &Viewport) -> Result<Self> {
         Self::of(self.photo.clone(), viewport)
     }
 
-    /// A picture brought to a GPU.
+    /// Uploads a picture.
     pub fn of(photo: Photo, viewport: &Viewport) -> Result<Self> {
         let on_gpu = viewport.reserve_picture(photo.width(), photo.height())?;
         viewport.write_picture_rows(&on_gpu, 0, &photo.rgbx())?;
@@ -25,8 +25,8 @@ impl OpenPicture {
     }
 }
 
-/// A picture on its way in. Millions of pixels at once would keep the page from answering, so they come some rows at a
-/// time, each in a task of its own.
+/// A picture that arrives in rows. One call with millions of pixels would block the page, so each batch of rows comes
+/// in a separate task.
 #[derive(Debug)]
 pub(crate) struct IncomingPicture {
     width: u32,
@@ -42,7 +42,7 @@ impl IncomingPicture {
         Ok(Self { width, height, rgb, on_gpu })
     }
 
-    /// Takes the next rows, RGBA; alpha is left out. Gives the picture back, once it is whole.
+    /// Adds the next rows, RGBA without alpha. Returns the picture once it is complete.
     pub fn add(mut self, viewport: &Viewport, rgba: &[u8]) -> Result<Result<OpenPicture, Self>> {
         let (width, height) = (self.width, self.height);
         let (row_bytes, found) = (width as usize * 3, rgba.len());

@@ -5,11 +5,11 @@ use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 
 use crate::error::Result;
 
-/// A face on the GPU with eyes and mouth in pieces of their own, while it shows an expression: so its lids and lips move before
-/// what lies behind them, and nothing is stretched between them.
+/// A face with an expression on the GPU, with eyes and mouth as separate pieces. Lids and lips move in front of them,
+/// and no triangles stretch between them.
 pub(crate) struct Pieces {
     split_face: SplitFace,
-    /// Where the pieces are; they follow edits from commit to commit, and expressions not at all.
+    /// Positions of the pieces; they follow committed edits but not expressions.
     pieces_m: Vec<DVec3>,
 }
 
@@ -17,17 +17,17 @@ impl Pieces {
     pub(crate) fn of(face: &OpenFace) -> Self {
         let split_face = face.document().split_face().darkened(face.model().colours_srgb());
         let mut pieces = Self { split_face, pieces_m: Vec::new() };
-        pieces.settle(face);
+        pieces.update(face);
         pieces
     }
 
-    /// Puts the pieces to where the edits have taken them.
-    pub(crate) fn settle(&mut self, face: &OpenFace) {
+    /// Moves the pieces to the committed edits.
+    pub(crate) fn update(&mut self, face: &OpenFace) {
         let base_m = face.document().without_expressions();
         self.pieces_m = self.split_face.positions_m(&base_m).split_off(base_m.len());
     }
 
-    /// Shows the face so.
+    /// Shows the face with its pieces.
     pub(crate) fn show(
         &self,
         viewport: &mut Viewport,
@@ -45,12 +45,12 @@ impl Pieces {
         Ok(viewport.set_before(&self.split_face.positions_m(face.document().rest()))?)
     }
 
-    /// Positions of the mesh, and those of the pieces.
+    /// Positions of the mesh and of the pieces.
     pub(crate) fn positions_m(&self, mesh_m: &[DVec3]) -> Vec<DVec3> {
         mesh_m.iter().chain(&self.pieces_m).copied().collect()
     }
 
-    /// Values of the mesh, and what stands for them on the pieces.
+    /// Per-vertex values of the mesh, extended by one value for the pieces.
     pub(crate) fn values(&self, of_mesh: &[f64], on_pieces: f64) -> Vec<f64> {
         let mut values = of_mesh.to_vec();
         values.resize(self.split_face.topology().vertex_count(), on_pieces);

@@ -1,4 +1,5 @@
-/// Structs that JavaScript reads: `field as itsName: Type` where its name there is another, and what is `hidden` from it.
+/// Structs with read-only fields in JavaScript: `field as jsName: Type` renames a field, and `hidden` fields are not
+/// exported.
 macro_rules! readable {
     (
         $(#[$about:meta])*

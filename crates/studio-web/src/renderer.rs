@@ -4,14 +4,14 @@ use web_sys::HtmlCanvasElement;
 
 use crate::error::{FacadeError, Result};
 
-/// A GPU bound to a canvas. A lost one is replaced with `studio.useRenderer(await createRenderer(canvas))`.
+/// A GPU bound to a canvas. To replace a lost one, call `studio.useRenderer(await createRenderer(canvas))`.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Renderer {
     viewport: Viewport,
 }
 
-/// Gets a GPU and binds it to the canvas, which stays untouched if there is no WebGPU.
+/// Requests a GPU and binds it to the canvas. Without WebGPU the canvas stays untouched.
 ///
 /// # Errors
 /// `no-webgpu` or `no-webgl`, `no-adapter`, `no-device` or `canvas-in-use`.
@@ -48,7 +48,7 @@ async fn gpu_and_target(canvas: HtmlCanvasElement) -> Result<(Gpu, Target)> {
     Ok(Target::canvas(canvas).await?)
 }
 
-/// Only a browser has canvases; elsewhere this crate is built for its tests alone.
+/// Canvases exist only in browsers; other targets build this crate for its tests.
 #[cfg(not(target_arch = "wasm32"))]
 async fn gpu_and_target(_: HtmlCanvasElement) -> Result<(Gpu, Target)> {
     Ok((Gpu::request().await?, Target::offscreen()))

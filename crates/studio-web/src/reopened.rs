@@ -7,19 +7,19 @@ use crate::modes::FileKindName;
 use crate::readable::readable;
 
 readable! {
-    /// What a file of ours holds, for `openWork`. `free()` it when everything has been taken out.
+    /// Contents of a Rosto file, for `openWork`. `free()` it after taking its parts.
     pub struct ReopenedFace {
-        /// How the landmarks are joined.
+        /// Triangulation of the landmarks.
         triangulation: String,
-        /// How often the mesh was subdivided.
+        /// Density of the mesh.
         density: u32,
         /// The edits as versioned JSON.
         edits: String,
-        /// What was done to the photo alone, as `openWork` takes it; undefined where nothing was.
+        /// Photo-edit data for `openWork`; undefined without photo edits.
         in_photo as inPhoto: Option<String>,
-        /// Whether another program has changed the mesh, which opens as it was saved here.
+        /// Whether another program has changed the mesh; it reopens as it was saved.
         changed_elsewhere as changedElsewhere: bool,
-        /// Which of its photos leads, from 0.
+        /// Index of the leading photo.
         leads: u32,
     } hidden {
         photos: Vec<ReopenedPhoto>,
@@ -27,32 +27,32 @@ readable! {
 }
 
 readable! {
-    /// One of its photos. `free()` it when everything has been taken out.
+    /// A photo of the face. `free()` it after taking its parts.
     pub struct ReopenedPhoto {
-        /// Width in px of the upright photo that the landmarks were found in.
+        /// Width in px of the upright photo in which the landmarks were found.
         width: u32,
         /// Height of that photo in px.
         height: u32,
-        /// What was known of the photo's lens.
+        /// Lens of the photo.
         lens: String,
         /// 468 or 478 × (x/W, y/H, z/W).
         landmarks: Vec<f32>,
         /// 468 × (red, green, blue), sRGB.
         colours: Vec<u8>,
-        /// Width of the upright picture in px; the file may hold a part of it.
+        /// Width of the upright picture in px; the file can contain only a part of it.
         picture_width as pictureWidth: u32,
         /// Height of the upright picture in px.
         picture_height as pictureHeight: u32,
-        /// Where in the picture the file's part of it lies, in px: left, top, width, height.
+        /// Position in the picture of the part that the file contains, in px: left, top, width, height.
         place: Vec<i32>,
-        /// The media type of that part; undefined where the file holds no photo.
+        /// Media type of that part; undefined if the file contains no photo.
         media_type as mediaType: Option<String>,
     } hidden {
         picture: Vec<u8>,
     }
 }
 
-/// Tells what a file is by its first 4 096 bytes.
+/// Detects the kind of a file from its first 4,096 bytes.
 #[wasm_bindgen(js_name = sniffFile)]
 pub fn sniff_file(start: &[u8]) -> FileKindName {
     match sniff(start) {
@@ -62,7 +62,7 @@ pub fn sniff_file(start: &[u8]) -> FileKindName {
     }
 }
 
-/// Reads a GLB that was downloaded here or written by the command line. No picture is decoded.
+/// Reads a GLB written by the page or the command line. Does not decode its pictures.
 ///
 /// # Errors
 /// `damaged-glb`, `foreign-glb` or `other-version`.
@@ -71,7 +71,7 @@ pub fn reopen_glb(bytes: &[u8]) -> Result<ReopenedFace, JsValue> {
     Ok(reopen(bytes).map_err(FacadeError::of_glb)?.into())
 }
 
-/// Reads a project that was saved here. Its picture is not decoded.
+/// Reads a project file. Does not decode its picture.
 ///
 /// # Errors
 /// `bad-project` or `other-version`.
@@ -150,7 +150,7 @@ impl ReopenedPhoto {
 
 #[wasm_bindgen]
 impl ReopenedFace {
-    /// Its photos in the order that they were given in; none the second time.
+    /// Takes the photos, in the order in which they were added; empty on later calls.
     #[wasm_bindgen(js_name = takePhotos)]
     pub fn take_photos(&mut self) -> Vec<ReopenedPhoto> {
         std::mem::take(&mut self.photos)
@@ -159,8 +159,8 @@ impl ReopenedFace {
 
 #[wasm_bindgen]
 impl ReopenedPhoto {
-    /// The file's part of the picture as it is encoded or, where it holds none, what stands in for the photo: the landmarks'
-    /// colours blended over the face, RGBA.
+    /// Takes the encoded picture or, if the file contains none, a substitute of the landmarks' colours blended over the
+    /// face, as RGBA.
     #[wasm_bindgen(js_name = takePicture)]
     pub fn take_picture(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.picture)

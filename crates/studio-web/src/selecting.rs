@@ -8,10 +8,10 @@ use crate::Studio;
 use crate::error::FacadeError;
 use crate::modes::ChangeName;
 
-/// Selecting landmarks, regions and points, and pinning them. Places are device pixels from the canvas' top left.
+/// Selecting and pinning. Positions are in device pixels from the top left of the canvas.
 #[wasm_bindgen]
 impl Studio {
-    /// Selects a landmark, or nothing. Random anchors are drawn anew.
+    /// Selects a landmark, or clears the selection. Random anchors are drawn again.
     ///
     /// # Errors
     /// `no-face` or `bad-vertex`.
@@ -19,17 +19,17 @@ impl Studio {
         self.act(Intent::Select(vertex.map(Selection::Landmark)))
     }
 
-    /// Selects all landmarks of a region, by the region's id; they move as one.
+    /// Selects the landmarks of a region, which then move together.
     ///
     /// # Errors
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = selectRegion)]
     pub fn select_region(&mut self, region: &str) -> Result<ChangeName, JsValue> {
-        let region = FacadeError::unless(Region::from_id(region))?;
+        let region = FacadeError::require(Region::from_id(region))?;
         self.act(Intent::Select(Some(Selection::Region(region))))
     }
 
-    /// Selects what is at a vertex: it alone, or the smallest region around it and, asked again, the next larger one.
+    /// Selects the vertex, or the smallest region around it; repeating selects the next larger region.
     ///
     /// # Errors
     /// `no-face` or `bad-vertex`.
@@ -38,7 +38,7 @@ impl Studio {
         self.act(Intent::SelectAt(vertex))
     }
 
-    /// The same at a place on the canvas; nothing is selected where there is no face.
+    /// Selects what is at a position on the canvas; clears the selection outside the face.
     #[wasm_bindgen(js_name = selectUnder)]
     pub fn select_under(
         &mut self,
@@ -48,7 +48,7 @@ impl Studio {
         self.act(Intent::SelectUnder(DVec2::new(x_px, y_px)))
     }
 
-    /// Pins what is selected, so that it stays while others move, or frees it.
+    /// Pins or unpins the selection. Pins stay in place while other vertices move.
     ///
     /// # Errors
     /// `no-face` or `no-selection`.
@@ -57,7 +57,7 @@ impl Studio {
         self.act(Intent::Pin(if pinned { Switch::On } else { Switch::Off }))
     }
 
-    /// Pins the vertex at a place on the canvas, or frees it.
+    /// Pins or unpins the vertex at a position on the canvas.
     #[wasm_bindgen(js_name = pinUnder)]
     pub fn pin_under(
         &mut self,

@@ -1,4 +1,4 @@
-//! What the page shows, as values it can read.
+//! State for the page, as values that JavaScript can read.
 
 use rosto_laplacian::LaplacianError;
 use rosto_session::{Choice, FaceState, Range, Row, Selection, Session, Tick, Turntable};
@@ -11,96 +11,98 @@ use crate::modes::RefusalName;
 use crate::readable::readable;
 
 readable! {
-    /// Everything the panels show about the session, apart from the edit in progress.
+    /// The state that panels show, apart from the edit in progress.
     pub struct StudioState {
-        /// Number of vertices shown.
+        /// Number of displayed vertices.
         vertex_count as vertexCount: u32,
-        /// How many vertices it can select, from 0.
+        /// Number of vertices that can be selected, from 0.
         selectable: u32,
-        /// The selected vertex, if any; of a selected region, the landmark in its middle.
+        /// The selected vertex, or the central landmark of the selected region.
         selected: Option<u32>,
         /// The selected region, if any.
         selected_region as selectedRegion: Option<String>,
-        /// Whether what is selected is its own mirror image and the mirror is on: sideways it moves alone.
+        /// Whether the selection is its own mirror image and the mirror is on; sideways it moves without the mirror.
         selected_in_plane as selectedInPlane: bool,
-        /// Whether it does so now.
+        /// Whether the edit in progress moves sideways out of the mirror plane.
         leaves_plane as leavesPlane: bool,
-        /// Whether a ready-made slider is in hand, and not what is selected.
+        /// Whether a ready-made slider or an expression is being moved, rather than the selection.
         is_sliding as isSliding: bool,
-        /// Whether all that is selected is pinned.
+        /// Whether each vertex of the selection is pinned.
         pinned: bool,
-        /// Whether the other side of the face can follow what is selected.
+        /// Whether the selection has a mirror image.
         can_mirror as canMirror: bool,
-        /// Why what is selected cannot be moved, if it cannot.
+        /// Why the selection cannot be moved, if it cannot.
         refusal: Option<RefusalName>,
-        /// The vertices that stay while what is selected moves.
+        /// Vertices that stay in place while the selection moves.
         anchors: Vec<u32>,
-        /// Whether the other side of the face follows.
+        /// Whether edits are mirrored to the other side of the face.
         mirror: bool,
-        /// Whether an edit reaches no further than the radius.
+        /// Whether edits are limited to the influence radius.
         nearby: bool,
-        /// That radius, in mm.
+        /// Influence radius, in mm.
         radius_mm as radiusMm: f64,
-        /// Whether edges are drawn over it.
+        /// Whether edges are shown.
         wireframe: bool,
-        /// Whether what stays in place is marked.
+        /// Whether anchors are marked.
         anchors_marked as anchorsMarked: bool,
-        /// Whether the face as it was found is seen beside the face as edited.
+        /// Whether the original face is shown next to the edited one.
         is_wiping as isWiping: bool,
-        /// Whether the light falls on the photo, too.
+        /// Whether the light also affects the photo.
         photo_lit as photoLit: bool,
-        /// Whether every landmark shows as a dot.
+        /// Whether all landmarks are shown as dots.
         dots: bool,
-        /// Whether the face turns by itself.
+        /// Whether the face rotates automatically.
         turntable: bool,
-        /// Azimuth and elevation of the directional light in degrees, its strength, and that of the light from everywhere.
+        /// Azimuth and elevation of the directional light in degrees, its strength, and the strength of the ambient
+        /// light.
         light: Vec<f64>,
-        /// Its colour, sRGB.
+        /// Colour of the directional light, sRGB.
         light_colour as lightColour: Vec<u8>,
-        /// The one colour behind the face, sRGB; empty for the usual ground.
+        /// The uniform background colour, sRGB; empty for the theme's background.
         backdrop: Vec<u8>,
-        /// Sum of the offsets along x that the history holds for what is selected, as far as they are in force, in mm.
+        /// Sum of the x offsets of the selection's entries in force, in mm.
         kept_x_mm as keptXMm: f64,
-        /// The same along y.
+        /// Sum of the y offsets, in mm.
         kept_y_mm as keptYMm: f64,
-        /// The same along z.
+        /// Sum of the z offsets, in mm.
         kept_z_mm as keptZMm: f64,
-        /// Whether the history holds edits in force of what is selected.
+        /// Whether the history contains entries in force that moved the selection.
         can_reset_selection as canResetSelection: bool,
-        /// Whether there is something to undo.
+        /// Whether there is a change to undo.
         can_undo as canUndo: bool,
-        /// Whether there is something to redo.
+        /// Whether there is an undone change to redo.
         can_redo as canRedo: bool,
-        /// How many entries the history has, without what was undone.
+        /// Number of entries, without undone ones.
         entry_count as entryCount: u32,
-        /// Whether the offsets kept go so nearly along the view that they hardly show from here.
+        /// Whether the committed offset is almost parallel to the view direction and so hardly visible.
         is_along_view as isAlongView: bool,
-        /// How far around the face its photo gives way, as a share of the face's longer side.
+        /// Falloff band around the face in its photo, as a share of the face's longer side.
         falloff_band as falloffBand: f64,
-        /// From how far away the face is shown in its photo, in metres; infinite where its camera is taken to be very far.
+        /// Distance from which the photo is shown, in metres; infinite for a parallel projection.
         seen_from_m as seenFromM: f64,
-        /// Whether that is as it was taken.
+        /// Whether that is the original distance.
         is_as_taken as isAsTaken: bool,
-        /// The brush in hand: its radius in CSS px.
+        /// Radius of the brush in CSS px, if it is in use.
         brush_px as brushPx: Option<f64>,
-        /// How many strokes keep something of the photo.
+        /// Number of strokes that protect the photo.
         stroke_count as strokeCount: u32,
-        /// Whether one can be brought back.
+        /// Whether there is an undone stroke to redo.
         can_redo_stroke as canRedoStroke: bool,
     } hidden {
-        /// What is chosen of each choice, in their order.
+        /// Id of each setting's value, in the settings' order.
         chosen: Vec<Option<String>>,
     }
 }
 
 #[wasm_bindgen]
 impl StudioState {
-    /// The id of what is chosen, as `choose` takes it; undefined where it is nothing that is offered, such as no preset.
+    /// Id of a setting's value, as `choose` takes it; undefined if it is not an available one, such as when no preset
+    /// matches.
     ///
     /// # Errors
     /// `bad-choice`.
     pub fn chosen(&self, choice: &str) -> Result<Option<String>, JsValue> {
-        let choice = FacadeError::unless(Choice::from_id(choice))?;
+        let choice = FacadeError::require(Choice::from_id(choice))?;
         Ok(self.chosen[choice as usize].clone())
     }
 }
@@ -172,25 +174,25 @@ impl From<&StudioError> for RefusalName {
 }
 
 readable! {
-    /// How far the edit in progress has gone.
+    /// Progress of an edit.
     pub struct StudioTick {
-        /// Whether an edit is in progress that `commit` would keep.
+        /// Whether an edit is in progress.
         editing: bool,
-        /// Its offset along x, in mm.
+        /// Offset along x, in mm.
         offset_x_mm as offsetXMm: f64,
-        /// Its offset along y, in mm.
+        /// Offset along y, in mm.
         offset_y_mm as offsetYMm: f64,
-        /// Its offset along z, in mm.
+        /// Offset along z, in mm.
         offset_z_mm as offsetZMm: f64,
-        /// Where each ready-made slider stands, in mm: the sum of its entries that are in force, and the edit in progress.
+        /// Value of each ready-made slider in mm: the sum of its entries in force and the edit in progress.
         sliders_mm as slidersMm: Vec<f64>,
-        /// How much of each expression the face shows, 0..1, in the order of `expressionIds`.
+        /// Weight of each expression, 0..1, in the order of `expressionIds`.
         weights: Vec<f64>,
-        /// Share of its offset that what is selected reaches: 1 is all of it.
+        /// Share of its offset that the selected vertex reaches; 1 is all.
         share_reached as shareReached: f64,
-        /// Whether the pointer drags it further than its sliders go.
+        /// Whether the drag exceeds the range of the sliders.
         is_at_end as isAtEnd: bool,
-        /// Whether it goes so nearly along the view that it hardly shows from here.
+        /// Whether the offset is almost parallel to the view direction and so hardly visible.
         is_along_view as isAlongView: bool,
     }
 }
@@ -212,21 +214,21 @@ impl StudioTick {
 }
 
 readable! {
-    /// One entry of the history.
+    /// An entry of the history.
     pub struct StudioEntry {
-        /// Place in the history, from 0.
+        /// Index in the history, from 0.
         index: u32,
-        /// What it works on.
+        /// The object that it edits.
         target: StudioTarget,
-        /// How far it moves what it moves, or how much it does.
+        /// Length of its offset, or its share or weight, in `unit`.
         amount: f64,
-        /// What `amount` counts: "mm" or "%".
+        /// Unit of `amount`: "mm" or "%".
         unit: String,
         /// Whether it is switched on.
         enabled: bool,
-        /// How often the mesh must be subdivided before it takes part, if that is more often than the one that is shown.
+        /// Density that it waits for, if that is higher than the displayed one.
         waits_for_density as waitsForDensity: Option<u32>,
-        /// Whether it has no answer on the mesh that is shown, and is passed over.
+        /// Whether it has no solution on the displayed mesh and is skipped.
         impossible: bool,
     }
 }
@@ -249,15 +251,15 @@ impl StudioEntry {
 }
 
 readable! {
-    /// What the numbers of the panels go through; the page's sliders are made after it.
+    /// Range of a number; the page's sliders use it.
     pub struct StudioRange {
         /// Lower end.
         min: f64,
         /// Upper end.
         max: f64,
-        /// What one key press changes.
+        /// Change per key press.
         step: f64,
-        /// Where it stands at first.
+        /// Initial value.
         neutral: f64,
     }
 }
@@ -269,15 +271,15 @@ impl From<Range> for StudioRange {
 }
 
 readable! {
-    /// What an edit works on.
+    /// The object that an edit works on.
     pub struct StudioTarget {
         /// "landmark", "point", "region", "slider", "vertices", "symmetry" or "expression".
         kind: String,
-        /// Its id, such as "nose-tip", "left-brow" or "nose-width".
+        /// Id, such as "nose-tip", "left-brow" or "nose-width".
         id: String,
-        /// The number of a landmark or point, or how many vertices; undefined for others.
+        /// Number of a landmark or point, or number of vertices; undefined for other kinds.
         number: Option<u32>,
-        /// The part of the face that a point lies in, such as "left-cheek", once its mesh was shown.
+        /// Part of the face around a point, such as "left-cheek", if its mesh has been built.
         part: Option<String>,
     }
 }
@@ -296,15 +298,15 @@ impl StudioTarget {
 readable! {
     /// A ready-made slider.
     pub struct StudioSlider {
-        /// Its id, for [`Studio::slide`](crate::Studio::slide), such as "nose-width".
+        /// Id for [`Studio::slide`](crate::Studio::slide), such as "nose-width".
         id: String,
-        /// How far it goes to either side, in mm.
+        /// Range to either side, in mm.
         range_mm as rangeMm: f64,
     }
 }
 
 readable! {
-    /// A place on the canvas, in device pixels from its top left.
+    /// A position on the canvas, in device pixels from its top left.
     #[derive(Copy)]
     pub struct ScreenPoint {
         /// To the right.
@@ -315,7 +317,7 @@ readable! {
 }
 
 readable! {
-    /// A picture of the canvas: straight (not premultiplied) sRGB RGBA.
+    /// A picture of the canvas as straight (not premultiplied) sRGB RGBA.
     pub struct Snapshot {
         /// Width in pixels.
         width: u32,
@@ -334,7 +336,7 @@ impl From<rosto_viewport::Snapshot> for Snapshot {
 
 #[wasm_bindgen]
 impl Snapshot {
-    /// Takes the pixels out, row by row from the top; empty the second time.
+    /// Takes the pixels, row by row from the top; empty on later calls.
     #[wasm_bindgen(js_name = takePixels)]
     pub fn take_pixels(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.pixels)

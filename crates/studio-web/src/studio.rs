@@ -13,36 +13,36 @@ use crate::pieces::Pieces;
 use crate::renderer::Renderer;
 use crate::shown::{CameraStream, PhotoShown};
 
-/// Seeds stay exact as JavaScript's numbers.
+/// Number of seeds that a JavaScript number represents exactly.
 const SEEDS: f64 = 9_007_199_254_740_992.0;
 
-/// A visitor's session and the GPU that it is drawn with. What is done to the session is done by [`Studio::act`] alone.
+/// A user's session and its viewport. [`Studio::act`] is the single mutation entry point of the session.
 #[wasm_bindgen]
 pub struct Studio {
     pub(crate) session: Session,
     pub(crate) viewport: Viewport,
-    /// Of the open face.
+    /// Picture of the open face.
     pub(crate) picture: Option<OpenPicture>,
-    /// Of the face to be opened next.
+    /// Picture of the face to be opened next.
     pub(crate) next_picture: Option<OpenPicture>,
-    /// The photos of that face before that one, if it is in several.
+    /// Earlier photos of the face to be opened next, if it has several.
     pub(crate) next_photos: Vec<(FurtherPhoto, OpenPicture)>,
     incoming_picture: Option<IncomingPicture>,
-    /// Of the whole of the open face.
+    /// Whole-face texture of the open face.
     pub(crate) texture: Option<OpenPicture>,
     pub(crate) incoming_texture: Option<IncomingPicture>,
     pub(crate) photo_shown: PhotoShown,
-    /// While the mirror shows one.
+    /// The camera stream, during the live preview.
     pub(crate) camera_stream: Option<CameraStream>,
-    /// What the mesh on the GPU is parted into, while the face shows an expression.
+    /// The pieces of the mesh on the GPU, while the face shows an expression.
     pub(crate) pieces: Option<Pieces>,
-    /// What has changed and could not be brought to the GPU yet: the next frame tries again.
-    unshown: Changed,
+    /// Change whose upload failed; the next frame tries again.
+    pending_change: Changed,
 }
 
 #[wasm_bindgen]
 impl Studio {
-    /// Resolves when the GPU is gone, as far as WebGPU tells: WebGL2's end is an event of the canvas.
+    /// Resolves when WebGPU reports that the GPU is lost. For WebGL2, listen to the canvas' event.
     #[wasm_bindgen(js_name = gpuLost, unchecked_return_type = "Promise<void>")]
     pub fn gpu_lost(&self) -> js_sys::Promise {
         let lost = self.viewport.lost();
@@ -52,10 +52,10 @@ impl Studio {
         })
     }
 
-    /// Continues on a new GPU after `device-lost`; the session stays.
+    /// Continues on a new GPU after `device-lost`; the session is unaffected.
     ///
     /// # Errors
-    /// `device-lost`, if that one is gone too.
+    /// `device-lost` if the new GPU is lost too.
     #[wasm_bindgen(js_name = useRenderer)]
     pub fn use_renderer(&mut self, renderer: Renderer) -> Result<(), JsValue> {
         let viewport = renderer.into_viewport();
@@ -69,20 +69,20 @@ impl Studio {
         let size = self.session.stage().camera().size_px().to_array().map(|side| side as u32);
         self.viewport.resize(size[0], size[1]);
         (self.incoming_picture, self.incoming_texture) = (None, None);
-        // The next frame brings another.
+        // The next frame creates another one.
         self.camera_stream = None;
         self.show_soon(Changed::Mesh);
         Ok(())
     }
 
-    /// Makes room for an upright picture, perhaps scaled down, whose rows are to follow. What is open stays. `place` says which
-    /// of the photos of the next face it is, from 0: the first, unless `keepPhoto` has taken those before it.
+    /// Prepares for the rows of an upright picture, which can be scaled down. The open face stays. `place` is the
+    /// picture's index among the photos of the next face: 0, or more after calls of `keepPhoto`.
     ///
     /// # Errors
     /// `bad-face`.
     #[wasm_bindgen(js_name = openPicture)]
     pub fn open_picture(&mut self, width: u32, height: u32, place: Option<u32>) -> Result<(), JsValue> {
-        // What is left of a face that was not opened after all is none of this one's.
+        // Drop photos of a face that was not opened in the end.
         self.next_photos.truncate(place.unwrap_or(0) as usize);
         self.next_picture = None;
         self.incoming_picture = None;
@@ -90,24 +90,24 @@ impl Studio {
         Ok(())
     }
 
-    /// Takes the next rows of that picture, RGBA. Once it is whole, `openFace` opens a face in it.
+    /// Adds the next rows of the picture, RGBA. Once it is complete, `openFace` can open a face in it.
     ///
     /// # Errors
-    /// `bad-face` for a part of a row or more rows than there are; the picture is then to be opened anew.
+    /// `bad-face` for partial or surplus rows; open the picture again then.
     #[wasm_bindgen(js_name = addPictureRows)]
     pub fn add_picture_rows(&mut self, rgba: &[u8]) -> Result<(), JsValue> {
         let incoming = self.incoming_picture.take().ok_or_else(FacadeError::no_picture)?;
         match incoming.add(&self.viewport, rgba)? {
-            Ok(whole) => self.next_picture = Some(whole),
+            Ok(picture) => self.next_picture = Some(picture),
             Err(part) => self.incoming_picture = Some(part),
         }
         Ok(())
     }
 
-    /// Opens a face of the picture that was opened last: MediaPipe's normalised landmarks (468 × 3, or 478 × 3 with
-    /// the irises) found in a photo of `width` × `height` px, the colour under each landmark (468 × 3, sRGB), and what is known
-    /// of the photo's lens, as `setPhotoLens` takes it. It is seen in the photos that `keepPhoto` has taken, too. What was open
-    /// before is kept if this one cannot be opened.
+    /// Opens a face in the last opened picture and in the photos added by `keepPhoto`. Takes MediaPipe's normalised
+    /// landmarks (468 × 3, or 478 × 3 with the irises) found in a photo of `width` × `height` px, the colour at each
+    /// landmark (468 × 3, sRGB), and the photo's lens as for `setPhotoLens`. If the face cannot be opened, the current
+    /// one stays.
     ///
     /// # Errors
     /// `bad-face`.
@@ -123,13 +123,13 @@ impl Studio {
         Ok(self.open(landmarks, [width, height], colours, lens, None)?)
     }
 
-    /// The same with the work that was done to it before: how the landmarks were joined, how often the mesh was
-    /// subdivided, the edits as versioned JSON, and what the photo alone holds. Everything is checked before anything is replaced.
+    /// Opens a face with its earlier edits: the triangulation, the density, the history as versioned JSON, and the
+    /// photo-edit data. Everything is checked before anything is replaced.
     ///
     /// # Errors
     /// `bad-face`, `bad-history` or `other-version`.
     #[wasm_bindgen(js_name = openWork)]
-    #[expect(clippy::too_many_arguments, reason = "JavaScript names them in the object that it takes them from")]
+    #[expect(clippy::too_many_arguments, reason = "each is a parameter of the JavaScript function")]
     pub fn open_work(
         &mut self,
         landmarks: &[f32],
@@ -143,7 +143,7 @@ impl Studio {
         photo: Option<String>,
     ) -> Result<ChangeName, JsValue> {
         let work = Work {
-            triangulation: FacadeError::unless(Triangulation::from_id(triangulation))?,
+            triangulation: FacadeError::require(Triangulation::from_id(triangulation))?,
             density,
             history: edits,
             photo,
@@ -151,7 +151,7 @@ impl Studio {
         Ok(self.open(landmarks, [width, height], colours, lens, Some(work))?)
     }
 
-    /// Shows the empty state: the canonical face as a slowly turning wireframe.
+    /// Shows the empty state: the canonical face as a slowly rotating wireframe.
     ///
     /// # Errors
     /// `device-lost`.
@@ -162,7 +162,7 @@ impl Studio {
         Ok(changed)
     }
 
-    /// The canvas' size in device pixels, and how many of them make a CSS pixel.
+    /// Resizes the canvas to a size in device pixels, at a device-pixel ratio.
     ///
     /// # Errors
     /// `bad-number`.
@@ -177,36 +177,38 @@ impl Studio {
         Ok(changed)
     }
 
-    /// Draws if something changed; true asks for another frame. `timeMs` is what `requestAnimationFrame` tells.
+    /// Draws if something changed; returns whether another frame is needed. `timeMs` is the time that
+    /// `requestAnimationFrame` passes.
     ///
     /// # Errors
-    /// `device-lost`, or what keeps a change from the GPU.
+    /// `device-lost`, or the error of a failed upload.
     pub fn draw(&mut self, #[wasm_bindgen(js_name = timeMs)] time_ms: f64) -> Result<bool, JsValue> {
-        if self.unshown > Changed::Nothing {
+        if self.pending_change > Changed::Nothing {
             self.show_lead(None)?;
-            self.show(self.unshown)?;
-            self.unshown = Changed::Nothing;
+            self.show(self.pending_change)?;
+            self.pending_change = Changed::Nothing;
         }
         self.show_photo()?;
         Ok(self.viewport.draw(self.session.stage_mut(), time_ms).map_err(FacadeError::from)?)
     }
 
-    /// Choices and view as text, for `prefer`: the page need not understand it to keep it.
+    /// Settings and view as text for `restorePreferences`; the format is opaque to the page.
     pub fn preferences(&self) -> String {
         self.session.preferences()
     }
 
-    /// Puts choices and view as an earlier session's `preferences` tell.
+    /// Restores settings and view from the text of `preferences`.
     ///
     /// # Errors
     /// `bad-choice`.
-    pub fn prefer(&mut self, preferences: String) -> Result<ChangeName, JsValue> {
+    #[wasm_bindgen(js_name = restorePreferences)]
+    pub fn restore_preferences(&mut self, preferences: String) -> Result<ChangeName, JsValue> {
         self.act(Intent::RestorePreferences(preferences))
     }
 }
 
-/// Far beyond where any edit ends.
-const OUT_OF_REACH: f64 = 1e3;
+/// A distance beyond the influence radius of any edit, in influence radii.
+const BEYOND_INFLUENCE: f64 = 1e3;
 
 impl Studio {
     pub(crate) fn new(viewport: Viewport) -> Self {
@@ -223,19 +225,19 @@ impl Studio {
             photo_shown: PhotoShown::default(),
             camera_stream: None,
             pieces: None,
-            unshown: Changed::Nothing,
+            pending_change: Changed::Nothing,
         }
     }
 
-    /// The one door for everything that changes the session: carries an intent out and shows what it has changed.
+    /// Single mutation entry point: applies an intent and shows its change.
     pub(crate) fn act(&mut self, intent: Intent) -> Result<ChangeName, JsValue> {
         let changed = self.session.apply(intent).map_err(FacadeError::from)?;
         self.show_soon(changed);
         Ok(changed.into())
     }
 
-    /// Brings to the GPU what has changed. An intent that was carried out is no failure because it cannot be shown: the next frame
-    /// brings all of it once more, and says what is in the way.
+    /// Uploads a change to the GPU. If the upload fails, the intent still succeeds; the next frame uploads everything
+    /// again and reports the error.
     pub(crate) fn show_soon(&mut self, changed: Changed) {
         if self.show(changed).is_err() {
             self.show_later();
@@ -243,7 +245,7 @@ impl Studio {
     }
 
     pub(crate) fn show_later(&mut self) {
-        self.unshown = Changed::Mesh;
+        self.pending_change = Changed::Mesh;
         self.session.stage_mut().request_frame();
     }
 
@@ -260,18 +262,18 @@ impl Studio {
         lens: &str,
         work: Option<Work>,
     ) -> Result<ChangeName> {
-        let last = self.photo_found(landmarks, photo_size_px, colours, lens)?;
+        let last = self.detected_photo(landmarks, photo_size_px, colours, lens)?;
         let mut photos = std::mem::take(&mut self.next_photos);
         photos.push(last);
-        let mut found = photos.iter().map(|(photo, _)| photo.clone());
-        let first = found.next().ok_or_else(FacadeError::no_picture)?;
+        let mut detections = photos.iter().map(|(photo, _)| photo.clone());
+        let first = detections.next().ok_or_else(FacadeError::no_picture)?;
         let incoming = Incoming {
             landmarks: first.landmarks,
             photo_size_px: first.photo_size_px,
             colours_srgb: first.colours_srgb,
             picture: first.picture,
             lens: first.lens,
-            further: found.collect(),
+            further: detections.collect(),
             work,
         };
         let changed = self.session.apply(Intent::Open(Box::new(incoming)))?;
@@ -281,16 +283,16 @@ impl Studio {
         Ok(changed.into())
     }
 
-    /// Brings to the GPU what has changed.
+    /// Uploads a change to the GPU.
     pub(crate) fn show(&mut self, changed: Changed) -> Result<()> {
         if self.camera_stream.is_some() {
             return self.show_live_preview(changed);
         }
-        let is_parted = self.session.face().is_some_and(OpenFace::shows_expression);
+        let is_split = self.session.face().is_some_and(OpenFace::shows_expression);
         if changed >= Changed::Mesh {
             self.show_mesh()?;
             self.show_photo_as_taken();
-        } else if self.pieces.is_some() != is_parted {
+        } else if self.pieces.is_some() != is_split {
             self.show_mesh()?;
         }
         if changed >= Changed::Document {
@@ -299,7 +301,7 @@ impl Studio {
         if changed >= Changed::Tick {
             self.show_tick()?;
         }
-        self.note_for_photo(changed);
+        self.mark_photo_due(changed);
         self.session.stage_mut().request_frame();
         Ok(())
     }
@@ -308,9 +310,9 @@ impl Studio {
         let is_whole = self.session.shows_texture();
         let picture = if is_whole { &self.texture } else { &self.picture };
         let picture = picture.as_ref().map(|picture| &picture.on_gpu);
-        // What comes with the camera's frames is whole.
-        let parted = self.session.face().filter(|face| self.camera_stream.is_none() && face.shows_expression());
-        self.pieces = parted.map(Pieces::of);
+        // The mesh of the live preview is not split.
+        let split = self.session.face().filter(|face| self.camera_stream.is_none() && face.shows_expression());
+        self.pieces = split.map(Pieces::of);
         let Some(face) = self.session.face() else { return show_canonical(&mut self.viewport) };
         let uvs = if is_whole { face.texture_uvs() } else { face.uvs() };
         match &self.pieces {
@@ -319,7 +321,7 @@ impl Studio {
         }
     }
 
-    /// The shape that the edit in progress starts from, and how it is going to be followed.
+    /// Uploads the positions from which the edit in progress starts, and its influence fields.
     fn show_shape(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         let (fields, influence_distances) = (face.influence_fields(), face.document().influence_distances());
@@ -327,14 +329,15 @@ impl Studio {
             self.viewport.set_positions(face.document().committed())?;
             return Ok(self.viewport.set_fields(fields, influence_distances.as_deref())?);
         };
-        pieces.settle(face);
+        pieces.update(face);
         self.viewport.set_positions(&pieces.positions_m(face.document().committed()))?;
         let [a, b] = fields.map(|field| field.map(|field| pieces.values(field, 0.0)));
-        let influence_distances = influence_distances.map(|distances| pieces.values(&distances, OUT_OF_REACH));
+        let influence_distances = influence_distances.map(|distances| pieces.values(&distances, BEYOND_INFLUENCE));
         Ok(self.viewport.set_fields([a.as_deref(), b.as_deref()], influence_distances.as_deref())?)
     }
 
-    /// Three numbers of the stage, unless details turn, the face's expression changes or distortion is painted.
+    /// Uploads a tick: only the stage's offsets, unless details rotate, an expression moves or the stretch is
+    /// displayed.
     fn show_tick(&mut self) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         if face.turns_details() || face.expression().is_some() {

@@ -6,22 +6,22 @@ use crate::error::FacadeError;
 use crate::modes::ChangeName;
 use crate::picture::IncomingPicture;
 
-/// The texture of the whole face: the worker makes it, which takes longer than a frame, and it comes back as rows of pixels.
+/// The whole-face texture. The worker bakes it, which takes longer than a frame, and its rows arrive in batches.
 #[wasm_bindgen]
 impl Studio {
-    /// How long the side of the open face's texture is, or is to be, in px; undefined without a face.
+    /// Side of the open face's texture in px; undefined without a face.
     #[wasm_bindgen(getter, js_name = textureSidePx)]
     pub fn texture_side_px(&self) -> Option<u32> {
         self.session.texture_side_px()
     }
 
-    /// How long the side of a texture is to be, in px, that the open face lacks; undefined where it lacks none.
+    /// Side in px of the texture that the open face needs; undefined if it has it.
     #[wasm_bindgen(getter, js_name = textureWantedPx)]
     pub fn texture_wanted_px(&self) -> Option<u32> {
         self.session.texture_wanted_px()
     }
 
-    /// What it is made of but for the pixels of the photo, as the worker's `TextureMaker` takes it.
+    /// Plan of the texture for the worker's `TextureMaker`: everything except the pixels of the photos.
     ///
     /// # Errors
     /// `no-face`.
@@ -30,7 +30,8 @@ impl Studio {
         Ok(self.session.texture_plan().map_err(FacadeError::from)?)
     }
 
-    /// Makes room for a texture of `side` × `side` px, whose rows are to follow. The one that is there stays until it is whole.
+    /// Prepares for the rows of a texture of `side` × `side` px. The current texture stays until the new one is
+    /// complete.
     ///
     /// # Errors
     /// `bad-face`.
@@ -41,10 +42,11 @@ impl Studio {
         Ok(())
     }
 
-    /// Takes the next rows of it, RGBA, and shows it once it is whole. One that is not wanted any more is passed over.
+    /// Adds the next rows, RGBA, and shows the texture once it is complete. A texture that is no longer wanted is
+    /// ignored.
     ///
     /// # Errors
-    /// `bad-face` for a part of a row or more rows than there are; the texture is then to be opened anew.
+    /// `bad-face` for partial or surplus rows; open the texture again then.
     #[wasm_bindgen(js_name = addTextureRows)]
     pub fn add_texture_rows(&mut self, rgba: &[u8]) -> Result<ChangeName, JsValue> {
         let incoming = self.incoming_texture.take().ok_or_else(FacadeError::no_picture)?;
@@ -55,7 +57,7 @@ impl Studio {
                     self.texture = Some(whole);
                 }
                 self.show_soon(changed);
-                // It comes by itself, as time does: panels, and what is being typed in them, stay as they are.
+                // The texture is not a user action: panels and their inputs stay as they are.
                 Ok(changed.min(Changed::View).into())
             }
             Err(part) => {

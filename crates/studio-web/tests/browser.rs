@@ -1,6 +1,6 @@
-//! The façade as the page uses it, on a real canvas in the browser.
+//! Tests of the façade on a canvas in a browser.
 #![cfg(target_arch = "wasm32")]
-#![expect(clippy::unwrap_used, reason = "in a test, a panic is the report")]
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use rosto_face::canonical_positions_m;
 use rosto_studio_web::{ChangeName, FileChoices, PointerName, RefusalName, ScreenPoint, Studio, StudioEntry, start};
@@ -13,7 +13,7 @@ wasm_bindgen_test_configure!(run_in_browser);
 
 const NOSE_TIP: u32 = 1;
 const CHIN: u32 = 199;
-/// What is shown at first has so many vertices.
+/// Number of vertices at the default density.
 const SMOOTH: u32 = 7_257;
 const SIDE_PX: u32 = 320;
 const PHOTO_PX: u32 = 64;
@@ -25,7 +25,7 @@ fn canvas() -> HtmlCanvasElement {
     canvas
 }
 
-/// An empty studio that stands still.
+/// An empty studio with reduced motion.
 async fn empty() -> Studio {
     let mut studio = start(canvas()).await.unwrap();
     studio.resize(SIDE_PX, SIDE_PX, 1.0).unwrap();
@@ -33,7 +33,7 @@ async fn empty() -> Studio {
     studio
 }
 
-/// A studio with the canonical face, as if it had been found in a reddish photo.
+/// A studio with the canonical face, as detected in a reddish photo.
 async fn studio() -> Studio {
     let mut studio = empty().await;
     open(&mut studio);
@@ -65,7 +65,7 @@ fn open(studio: &mut Studio) {
     studio.open_face(&landmarks(), PHOTO_PX, PHOTO_PX, &colours(), "estimated").unwrap();
 }
 
-/// The same face in the same picture, with edits that were made before.
+/// Opens the face with earlier edits.
 fn open_work(studio: &mut Studio, density: u32, edits: &str) -> Result<ChangeName, JsValue> {
     let triangulation = "canonical";
     studio.open_work(
@@ -85,7 +85,7 @@ fn entries(studio: &Studio) -> Vec<StudioEntry> {
     studio.latest_entries(u32::MAX)
 }
 
-/// Presses the mouse on a vertex, which is to be taken hold of, and drags it.
+/// Grabs a vertex with the mouse and drags it.
 fn grab(studio: &mut Studio, vertex: u32, by_px: [f64; 2]) -> ScreenPoint {
     let from = studio.screen_position(vertex).unwrap();
     assert!(studio.press(from.x, from.y, PointerName::Mouse).unwrap());
@@ -112,7 +112,7 @@ fn in_paper_mode(studio: &mut Studio) {
 }
 
 #[wasm_bindgen_test]
-async fn the_empty_state_is_drawn_and_nothing_can_be_edited() {
+async fn the_empty_state_is_drawn_and_not_editable() {
     let mut studio = empty().await;
     studio.show_canonical().unwrap();
     assert!(!studio.draw(0.0).unwrap());
@@ -125,7 +125,7 @@ async fn the_empty_state_is_drawn_and_nothing_can_be_edited() {
 }
 
 #[wasm_bindgen_test]
-async fn the_empty_state_turns_unless_less_motion_is_asked_for() {
+async fn the_empty_state_rotates_without_reduced_motion() {
     let mut studio = empty().await;
     studio.set_reduced_motion(false).unwrap();
     studio.show_canonical().unwrap();
@@ -135,7 +135,7 @@ async fn the_empty_state_turns_unless_less_motion_is_asked_for() {
 }
 
 #[wasm_bindgen_test]
-async fn a_face_shows_in_its_photos_colours_and_keeps_still() {
+async fn a_face_has_its_photos_colours_and_does_not_move() {
     let mut studio = studio().await;
     assert!(!studio.draw(0.0).unwrap());
     let drawn = pixels(&mut studio).await;
@@ -147,7 +147,7 @@ async fn a_face_shows_in_its_photos_colours_and_keeps_still() {
 }
 
 #[wasm_bindgen_test]
-async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
+async fn an_edit_changes_the_picture_and_can_be_undone() {
     let mut studio = studio().await;
     in_paper_mode(&mut studio);
     let before = (pixels(&mut studio).await, mesh_json(&mut studio, "mm"));
@@ -178,7 +178,7 @@ async fn an_edit_changes_the_picture_is_one_entry_and_can_be_undone() {
 }
 
 #[wasm_bindgen_test]
-async fn cancelling_and_committing_nothing_leave_no_trace() {
+async fn cancelling_and_empty_commits_change_nothing() {
     let mut studio = studio().await;
     let before = mesh_json(&mut studio, "image");
     studio.select(Some(NOSE_TIP)).unwrap();
@@ -211,7 +211,7 @@ async fn a_dragged_landmark_follows_the_pointer() {
 }
 
 #[wasm_bindgen_test]
-async fn what_is_seen_can_be_pointed_at() {
+async fn visible_vertices_can_be_hovered() {
     let mut studio = studio().await;
     let places: Vec<ScreenPoint> = (0..468).map(|vertex| studio.screen_position(vertex).unwrap()).collect();
     assert_eq!(studio.screen_position(studio.state().vertex_count), None);
@@ -227,7 +227,7 @@ async fn what_is_seen_can_be_pointed_at() {
 }
 
 #[wasm_bindgen_test]
-async fn refusals_say_why_and_keep_the_face() {
+async fn refusals_have_codes_and_keep_the_face() {
     let mut studio = studio().await;
     assert_eq!(code(&studio.select(Some(468)).unwrap_err()), "bad-vertex");
     assert_eq!(code(&studio.set_pinned(true).unwrap_err()), "no-selection");
@@ -273,7 +273,7 @@ async fn refusals_say_why_and_keep_the_face() {
 }
 
 #[wasm_bindgen_test]
-async fn edits_come_back_from_their_text_at_every_density() {
+async fn edits_are_restored_from_text_at_each_density() {
     let mut studio = studio().await;
     studio.choose("density", "0").unwrap();
     studio.set_mirror(true).unwrap();
@@ -301,7 +301,7 @@ async fn edits_come_back_from_their_text_at_every_density() {
 }
 
 #[wasm_bindgen_test]
-async fn both_paints_are_exported_as_binary_gltf() {
+async fn base_colours_are_exported_as_binary_gltf() {
     let mut studio = studio().await;
     studio.choose("shading", "distortion").unwrap();
     for colour in ["photo", "colours"] {
@@ -314,7 +314,7 @@ async fn both_paints_are_exported_as_binary_gltf() {
 }
 
 #[wasm_bindgen_test]
-async fn a_sliders_ticks_on_the_gpu_show_what_its_commit_keeps() {
+async fn a_sliders_commit_matches_its_ticks_on_the_gpu() {
     let mut studio = studio().await;
     for slider in studio.face_sliders() {
         studio.slide(&slider.id, 0.5 * slider.range_mm).unwrap();
@@ -332,7 +332,7 @@ async fn a_sliders_ticks_on_the_gpu_show_what_its_commit_keeps() {
 }
 
 #[wasm_bindgen_test]
-async fn a_region_is_dragged_by_any_of_its_landmarks() {
+async fn a_region_can_be_dragged_by_each_landmark() {
     let mut studio = studio().await;
     studio.set_mirror(false).unwrap();
     studio.select_region("nose").unwrap();
@@ -361,7 +361,7 @@ async fn a_region_is_dragged_by_any_of_its_landmarks() {
 }
 
 #[wasm_bindgen_test]
-async fn what_is_selected_is_pinned_whole_and_what_is_under_the_pointer_by_itself() {
+async fn pinning_applies_to_the_selection_or_the_hovered_vertex() {
     let mut studio = studio().await;
     in_paper_mode(&mut studio);
     studio.select_region("chin").unwrap();
@@ -380,7 +380,7 @@ async fn what_is_selected_is_pinned_whole_and_what_is_under_the_pointer_by_itsel
 }
 
 #[wasm_bindgen_test]
-async fn choices_and_view_are_put_again_from_their_text() {
+async fn settings_and_view_are_restored_from_text() {
     let mut studio = studio().await;
     studio.choose("preset", "paper").unwrap();
     studio.choose("shading", "clay").unwrap();
@@ -388,10 +388,10 @@ async fn choices_and_view_are_put_again_from_their_text() {
     let (preferences, chosen) = (studio.preferences(), studio.state());
     let mut later = self::studio().await;
     assert_ne!(later.state(), chosen);
-    later.prefer(preferences.clone()).unwrap();
-    // How dense a mesh is goes with its face.
+    later.restore_preferences(preferences.clone()).unwrap();
+    // The open face keeps its density.
     later.choose("density", "0").unwrap();
     assert_eq!(later.state(), chosen);
-    assert_eq!(code(&later.prefer(preferences.replace("clay", "mud")).unwrap_err()), "bad-choice");
+    assert_eq!(code(&later.restore_preferences(preferences.replace("clay", "mud")).unwrap_err()), "bad-choice");
     assert_eq!(later.state(), chosen);
 }

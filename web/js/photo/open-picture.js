@@ -75,5 +75,5 @@ export function openFace(host, photos, state) {
     return studio.openWork(...detection, triangulation, density, edits, photo);
   });
   const { preferences } = state ?? {};
-  if (preferences) host.act((studio) => studio.prefer(preferences));
+  if (preferences) host.act((studio) => studio.restorePreferences(preferences));
 }

@@ -21,7 +21,7 @@ export function setUpBrushMarks(host) {
     Object.assign(canvas, { width, height });
     const context = canvas.getContext("2d");
     if (!context) return;
-    const circles = host.ask((studio) => studio.keptOnCanvas()) ?? new Float32Array();
+    const circles = host.ask((studio) => studio.protectedOnCanvas()) ?? new Float32Array();
     context.fillStyle = stripes(context);
     context.beginPath();
     for (let index = 0; index < circles.length; index += 3) {

@@ -37,7 +37,7 @@ export async function readSavedFile(file, kind) {
   const reopened = kind === "glb" ? studioModule().reopenGlb(bytes) : studioModule().reopenProject(bytes);
   try {
     const { edits, triangulation, density, changedElsewhere, inPhoto, leads } = reopened;
-    const name = kind === "glb" && density !== studioModule().usualDensity() ? stemOfMesh(file) : stemOf(file);
+    const name = kind === "glb" && density !== studioModule().defaultDensity() ? stemOfMesh(file) : stemOf(file);
     const photos = await Promise.all(reopened.takePhotos().map((photo) => photoOf(photo, kind)));
     const face = faceFromPhotos(photos, leads, name);
     return { face, edits, ...(inPhoto !== undefined && { photo: inPhoto }), triangulation, density, changedElsewhere };

@@ -11,16 +11,16 @@ use crate::modes::ChangeName;
 use crate::picture::OpenPicture;
 use crate::state::StudioRange;
 
-/// What moves in the photo, for whoever draws all of it.
+/// Warp of the photo, for rendering it at full resolution.
 #[wasm_bindgen(getter_with_clone)]
 pub struct PhotoWarp {
-    /// Where its points are in the upright photo, x and y in turn, in px.
+    /// Points in px of the upright photo, as x, y pairs.
     #[wasm_bindgen(readonly, js_name = fromPx)]
     pub from_px: Vec<f64>,
-    /// Where they go.
+    /// Positions to which the points move.
     #[wasm_bindgen(readonly, js_name = toPx)]
     pub to_px: Vec<f64>,
-    /// Its triangles, three points each.
+    /// Triangles, as three point indices each.
     #[wasm_bindgen(readonly)]
     pub triangles: Vec<u32>,
 }
@@ -28,7 +28,7 @@ pub struct PhotoWarp {
 /// The face in its photo.
 #[wasm_bindgen]
 impl Studio {
-    /// How far around the face the photo gives way, as a share of the face's longer side.
+    /// Sets the falloff band around the face, as a share of the face's longer side.
     ///
     /// # Errors
     /// `bad-number`.
@@ -37,7 +37,7 @@ impl Studio {
         self.act(Intent::FalloffBand(share))
     }
 
-    /// Between which shares that is.
+    /// Range of the falloff band.
     #[wasm_bindgen(getter, js_name = falloffBandRange)]
     pub fn falloff_band_range(&self) -> StudioRange {
         StudioRange {
@@ -48,7 +48,7 @@ impl Studio {
         }
     }
 
-    /// Shows the face in its photo as seen from so many metres; undefined as it was taken.
+    /// Shows the face in its photo as from a distance in metres; undefined is the original distance.
     ///
     /// # Errors
     /// `no-face` or `bad-number`.
@@ -57,7 +57,7 @@ impl Studio {
         self.act(Intent::SeenFrom(distance_m))
     }
 
-    /// Takes the brush that keeps parts of the photo in hand, by its radius in CSS px, or puts it down.
+    /// Sets the brush that protects parts of the photo, by its radius in CSS px; undefined removes it.
     ///
     /// # Errors
     /// `bad-number`.
@@ -66,22 +66,22 @@ impl Studio {
         self.act(Intent::Brush(radius_px))
     }
 
-    /// How fine and how coarse the brush can be, in CSS px.
+    /// Range of the brush's radius, in CSS px.
     #[wasm_bindgen(getter, js_name = brushRange)]
     pub fn brush_range(&self) -> StudioRange {
         StudioRange { min: BRUSH_PX[0], max: BRUSH_PX[1], step: 1.0, neutral: 28.0 }
     }
 
-    /// Takes all strokes of the brush away.
+    /// Removes all brush strokes.
     ///
     /// # Errors
     /// `no-face`.
-    #[wasm_bindgen(js_name = keepNothing)]
-    pub fn keep_nothing(&mut self) -> Result<ChangeName, JsValue> {
+    #[wasm_bindgen(js_name = clearStrokes)]
+    pub fn clear_strokes(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::ClearStrokes)
     }
 
-    /// Turns the face to where an edit in depth is seen.
+    /// Rotates the view so that edits in depth are visible.
     ///
     /// # Errors
     /// `no-face`.
@@ -90,62 +90,62 @@ impl Studio {
         self.act(Intent::ShowDepth)
     }
 
-    /// Data of the photo alone, as text for `openWork`; undefined while no face is open.
+    /// Photo-edit data as text for `openWork`; undefined without a face.
     #[wasm_bindgen(getter, js_name = photoEdit)]
     pub fn photo_edit(&self) -> Option<String> {
         self.session.face().map(|face| face.photo_json())
     }
 
-    /// Middles and radii of what of the photo is kept, in device pixels of the canvas: x, y and radius in turn.
-    #[wasm_bindgen(js_name = keptOnCanvas)]
+    /// Centres and radii of the protected dabs, in device pixels of the canvas, as x, y, radius triples.
+    #[wasm_bindgen(js_name = protectedOnCanvas)]
     pub fn protected_on_canvas(&self) -> Vec<f32> {
         self.session.protected_on_canvas().into_iter().flatten().map(|px| px as f32).collect()
     }
 
-    /// Whether the photo waits for `followPhoto`: on the stage it follows by itself, but for what asks for a factorisation, which
-    /// takes a task of its own.
+    /// Whether `followPhoto` must be called. On the stage the photo follows automatically, except for updates that need
+    /// a factorisation, which run in a separate task.
     #[wasm_bindgen(getter, js_name = photoIsDue)]
     pub fn photo_is_due(&self) -> bool {
-        self.photo_shown.is_due || self.photo_waits()
+        self.photo_shown.is_due || self.needs_factorisation()
     }
 
-    /// Lets the photo follow the edits, and shows it so.
+    /// Updates the photo to the current edits and shows it.
     ///
     /// # Errors
     /// `device-lost`.
     #[wasm_bindgen(js_name = followPhoto)]
     pub fn follow_photo(&mut self) -> Result<(), JsValue> {
-        self.catch_up_photo()?;
+        self.update_photo()?;
         self.session.stage_mut().request_frame();
         Ok(())
     }
 
-    /// By how much the photo stays behind the edits at most, in px of the photo, so that nothing in it folds.
+    /// Greatest distance, in px of the photo, by which the photo lags behind the edits to avoid folds.
     #[wasm_bindgen(getter, js_name = photoLimitedPx)]
     pub fn photo_limited_px(&self) -> f64 {
         self.session.face().map_or(0.0, |face| face.photo().limited_px())
     }
 
-    /// Width and height of the upright photo in px; empty while no face is open.
+    /// Width and height of the upright photo in px; empty without a face.
     #[wasm_bindgen(getter, js_name = photoSize)]
     pub fn photo_size(&self) -> Vec<u32> {
         self.session.face().map(|face| face.model().photo_size_px().to_vec()).unwrap_or_default()
     }
 
-    /// Where the edits have taken the landmarks, and the irises if they were found, on the photo: x and y in turn, in shares of its
-    /// size; undefined while no face is open.
+    /// Positions of the landmarks, and of the irises if found, in the edited photo, as x, y pairs in shares of its
+    /// size; undefined without a face.
     #[wasm_bindgen(js_name = photoLandmarks)]
     pub fn photo_landmarks(&self) -> Option<Vec<f32>> {
-        let places = self.session.face()?.landmarks_in_edited_photo();
-        Some(places.into_iter().flat_map(|place| place.as_vec2().to_array()).collect())
+        let positions = self.session.face()?.landmarks_in_edited_photo();
+        Some(positions.into_iter().flat_map(|position| position.as_vec2().to_array()).collect())
     }
 
-    /// What moves in the photo; undefined where nothing does.
+    /// The warp of the photo; undefined if nothing moves.
     #[wasm_bindgen(js_name = photoWarp)]
     pub fn photo_warp(&mut self) -> Option<PhotoWarp> {
         self.session.update_photo_warp();
         let (warp_mesh, _) = self.session.face()?.photo().warp_mesh()?;
-        let flat = |places: &[DVec2]| places.iter().flat_map(|place| place.to_array()).collect();
+        let flat = |positions: &[DVec2]| positions.iter().flat_map(|position| position.to_array()).collect();
         Some(PhotoWarp {
             from_px: flat(&warp_mesh.from_px),
             to_px: flat(&warp_mesh.to_px),
@@ -155,7 +155,7 @@ impl Studio {
 }
 
 impl Studio {
-    /// The photo as it was taken, for a face that has just come.
+    /// Shows the original photo of a newly opened face.
     pub(crate) fn show_photo_as_taken(&mut self) {
         self.photo_shown.version = None;
         let still = WarpMesh::default();
@@ -164,22 +164,22 @@ impl Studio {
             .show_photo_layer(face_and_picture.map(|(face, picture)| photo_layer(face, picture, &still)).as_ref());
     }
 
-    /// The photo is to follow what has changed, once a frame at most.
-    pub(crate) fn note_for_photo(&mut self, changed: Changed) {
+    /// Marks the photo as due for an update, which happens at most once per frame.
+    pub(crate) fn mark_photo_due(&mut self, changed: Changed) {
         self.photo_shown.is_due |= changed >= Changed::Tick && self.session.face().is_some();
     }
 
-    /// What is about to be drawn shows where the photo's places are now, unless that asks for a factorisation first.
+    /// Updates the displayed photo before a frame, unless that needs a factorisation.
     pub(crate) fn show_photo(&mut self) -> Result<()> {
         let is_seen = self.session.stage().picture_share() > 0.0;
-        if self.photo_shown.is_due && is_seen && !self.photo_waits() { self.catch_up_photo() } else { Ok(()) }
+        if self.photo_shown.is_due && is_seen && !self.needs_factorisation() { self.update_photo() } else { Ok(()) }
     }
 
-    fn photo_waits(&self) -> bool {
+    fn needs_factorisation(&self) -> bool {
         self.session.face().is_some_and(|face| face.photo().needs_factorisation())
     }
 
-    fn catch_up_photo(&mut self) -> Result<()> {
+    fn update_photo(&mut self) -> Result<()> {
         self.photo_shown.is_due = false;
         self.session.update_photo_warp();
         self.show_photo_layer()
@@ -187,7 +187,7 @@ impl Studio {
 
     fn show_photo_layer(&mut self) -> Result<()> {
         let (Some(face), Some(picture)) = (self.session.face(), &self.picture) else { return Ok(()) };
-        // The mirror's camera stream lies where the photo does.
+        // During the live preview, the camera stream takes the photo's place.
         let Some((warp_mesh, version)) = face.photo().warp_mesh().filter(|_| self.camera_stream.is_none()) else {
             return Ok(());
         };

@@ -10,11 +10,11 @@ use crate::error::FacadeError;
 use crate::modes::ChangeName;
 use crate::state::ScreenPoint;
 
-/// Camera, light, paint and what is under the pointer. Places are device pixels from the canvas' top left. What is not a
-/// number is `bad-number`, or passed over.
+/// Camera, light, appearance and hovering. Positions are in device pixels from the top left of the canvas. NaN is
+/// refused with `bad-number` or ignored.
 #[wasm_bindgen]
 impl Studio {
-    /// Turns the face as if the pointer held it.
+    /// Orbits the view by a pointer movement.
     pub fn orbit(
         &mut self,
         #[wasm_bindgen(js_name = dxPx)] dx_px: f64,
@@ -23,7 +23,7 @@ impl Studio {
         self.act(Intent::Orbit(DVec2::new(dx_px, dy_px)))
     }
 
-    /// Moves the face with the pointer.
+    /// Pans the view by a pointer movement.
     pub fn pan(
         &mut self,
         #[wasm_bindgen(js_name = dxPx)] dx_px: f64,
@@ -32,7 +32,7 @@ impl Studio {
         self.act(Intent::Pan(DVec2::new(dx_px, dy_px)))
     }
 
-    /// Shows the face larger by a factor above 1, smaller by one below.
+    /// Zooms by a factor; above 1 enlarges.
     ///
     /// # Errors
     /// `bad-number`.
@@ -45,36 +45,36 @@ impl Studio {
     /// # Errors
     /// `bad-choice`.
     pub fn view(&mut self, name: &str) -> Result<ChangeName, JsValue> {
-        self.act(Intent::GoTo(FacadeError::unless(NamedView::from_id(name))?))
+        self.act(Intent::GoTo(FacadeError::require(NamedView::from_id(name))?))
     }
 
-    /// Lets the face turn by itself, or stand still.
+    /// Turns auto-rotation on or off.
     #[wasm_bindgen(js_name = setTurntable)]
     pub fn set_turntable(&mut self, turns: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Turntable(if turns { Turntable::Turns } else { Turntable::Still }))
     }
 
-    /// Whether the page was asked to move less: no glide, no arrival, no turning empty state.
+    /// Sets reduced motion: no gliding camera, no arrival movement, no rotating empty state.
     #[wasm_bindgen(js_name = setReducedMotion)]
     pub fn set_reduced_motion(&mut self, reduced: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Motion(if reduced { Motion::Reduced } else { Motion::Usual }))
     }
 
-    /// Draws the edges over the surface.
+    /// Shows or hides the edges.
     #[wasm_bindgen(js_name = setWireframe)]
     pub fn set_wireframe(&mut self, shown: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Wireframe(if shown { Visibility::Shown } else { Visibility::Hidden }))
     }
 
-    /// Shows a dot on every landmark, not only near the pointer.
+    /// Shows dots on all landmarks, or only near the pointer.
     #[wasm_bindgen(js_name = setDots)]
     pub fn set_dots(&mut self, shown: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::Dots(if shown { Dots::All } else { Dots::NearPointer }))
     }
 
-    /// The directional light, fixed to the viewer: azimuth 0 is from the viewer and positive from the right, elevation
-    /// is positive from above, strength 1 is the usual one. `ambient` is the light from everywhere; 1 alone shows every
-    /// colour as it is.
+    /// Sets the directional light, which is fixed to the viewer. Azimuth 0 is the viewer's direction and positive to
+    /// the right, elevation is positive upwards, and strength 1 is the default. `ambient` is the strength of the
+    /// ambient light; 1 without directional light shows the original colours.
     ///
     /// # Errors
     /// `bad-number`.
@@ -90,35 +90,35 @@ impl Studio {
         self.act(Intent::Light(Light { azimuth_deg, elevation_deg, strength, colour, ambient }))
     }
 
-    /// Colour of the directional light, sRGB.
+    /// Sets the colour of the directional light, sRGB.
     #[wasm_bindgen(js_name = setLightColour)]
     pub fn set_light_colour(&mut self, red: u8, green: u8, blue: u8) -> Result<ChangeName, JsValue> {
         let light = self.session.stage().render_settings().light;
         self.act(Intent::Light(Light { colour: Srgb([red, green, blue]), ..light }))
     }
 
-    /// Light or dark surroundings.
+    /// Sets the light or dark theme.
     ///
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = setTheme)]
     pub fn set_theme(&mut self, theme: &str) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Theme(FacadeError::unless(Theme::from_id(theme))?))
+        self.act(Intent::Theme(FacadeError::require(Theme::from_id(theme))?))
     }
 
-    /// Puts the theme's soft ground behind the face, with a shadow under it: the usual one.
+    /// Sets the theme's background, with a shadow below the face (the default).
     #[wasm_bindgen(js_name = setGround)]
     pub fn set_ground(&mut self) -> Result<ChangeName, JsValue> {
         self.act(Intent::Background(Background::Ground))
     }
 
-    /// Puts one colour behind the face, sRGB.
+    /// Sets a uniform background colour, sRGB.
     #[wasm_bindgen(js_name = setBackdrop)]
     pub fn set_backdrop(&mut self, red: u8, green: u8, blue: u8) -> Result<ChangeName, JsValue> {
         self.act(Intent::Background(Background::Plain(Srgb([red, green, blue]))))
     }
 
-    /// 0 shows the face as edited, 1 as it was found.
+    /// Blends the edited face (0) with the original (1).
     ///
     /// # Errors
     /// `bad-number`.
@@ -127,8 +127,8 @@ impl Studio {
         self.act(Intent::Before(share))
     }
 
-    /// The face as it was found up to this share of the canvas' width, 0 to 1 from the left, and as edited beyond; undefined
-    /// ends it.
+    /// Shows the original face left of this share of the canvas' width, 0..1, and the edited one right of it; undefined
+    /// ends the comparison.
     ///
     /// # Errors
     /// `bad-number`.
@@ -149,20 +149,20 @@ impl Studio {
         self.act(Intent::ViewportInsets([top_px, right_px, bottom_px, left_px]))
     }
 
-    /// Marks what stays in place while what is selected moves, or not.
+    /// Shows or hides markers at the anchors.
     #[wasm_bindgen(js_name = setAnchorsMarked)]
     pub fn set_anchors_marked(&mut self, marked: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::MarkAnchors(if marked { Switch::On } else { Switch::Off }))
     }
 
-    /// Lets the light fall on the photo, too, or leaves it in the light that it was taken in.
+    /// Sets whether the light also affects the photo, which contains its own lighting.
     #[wasm_bindgen(js_name = setPhotoLit)]
     pub fn set_photo_lit(&mut self, lit: bool) -> Result<ChangeName, JsValue> {
         self.act(Intent::PictureLight(if lit { PictureLight::Lamp } else { PictureLight::Own }))
     }
 
-    /// Tells where the pointer is: landmarks near it show as dots where they are what it selects, and what is under it is
-    /// marked and returned.
+    /// Handles a pointer movement without a press. Highlights and returns the vertex under the pointer; shows nearby
+    /// landmarks as dots if landmarks are selectable.
     pub fn hover(
         &mut self,
         #[wasm_bindgen(js_name = xPx)] x_px: f64,
@@ -172,7 +172,7 @@ impl Studio {
         Ok(self.session.hovered().vertex)
     }
 
-    /// Marks a landmark that is pointed at elsewhere, such as on the photo; none when the pointer leaves.
+    /// Highlights a landmark that is hovered elsewhere, such as on the photo; undefined when the pointer leaves.
     ///
     /// # Errors
     /// `bad-vertex`.
@@ -181,23 +181,23 @@ impl Studio {
         self.act(Intent::PointAt(landmark))
     }
 
-    /// Where a vertex appears, if a face is open.
+    /// Position of a vertex on the canvas; undefined without a face.
     #[wasm_bindgen(js_name = screenPosition)]
     pub fn screen_position(&self, vertex: u32) -> Option<ScreenPoint> {
         let position_m = *self.session.face()?.document().positions().get(vertex as usize)?;
-        let place = self.session.stage().camera().project(position_m)?;
-        Some(ScreenPoint { x: place.x, y: place.y })
+        let position = self.session.stage().camera().project(position_m)?;
+        Some(ScreenPoint { x: position.x, y: position.y })
     }
 
-    /// The box around the landmarks as they appear: left, top, right and bottom; empty without a face.
+    /// Bounding box of the landmarks on the canvas: left, top, right, bottom; empty without a face.
     #[wasm_bindgen(js_name = screenBox)]
     pub fn screen_box(&self) -> Vec<f64> {
         let Some(face) = self.session.face() else { return Vec::new() };
         let camera = self.session.stage().camera();
         let landmarks = face.document().positions().iter().take(LANDMARK_COUNT);
-        let places = landmarks.filter_map(|&position_m| camera.project(position_m));
+        let positions = landmarks.filter_map(|&position_m| camera.project(position_m));
         let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        let (from, to) = places.fold(empty, |(from, to), place| (from.min(place), to.max(place)));
+        let (from, to) = positions.fold(empty, |(from, to), position| (from.min(position), to.max(position)));
         vec![from.x, from.y, to.x, to.y]
     }
 }
