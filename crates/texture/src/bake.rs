@@ -47,7 +47,7 @@ pub fn texture(subject: &Subject<'_>, shots: &[Shot<'_>], side_px: u32) -> Resul
     Ok(Texture { picture, shares: blend.shares })
 }
 
-/// How far each cell belongs to a feature: 1 among its vertices, fading around them.
+/// Membership of each cell in a feature: 1 among its vertices, fading around them.
 fn spread_feature(subject: &Subject<'_>, atlas: &Atlas, feature: &[u32]) -> Vec<f32> {
     let mut marks = vec![0.0; subject.topology.vertex_count()];
     feature.iter().for_each(|&vertex| marks[vertex as usize] = 1.0);

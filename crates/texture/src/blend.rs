@@ -26,9 +26,9 @@ pub(crate) struct Blend {
     pub(crate) rest: Vec<Vec3>,
     /// Low frequencies alone, also outside the mesh.
     pub(crate) base: Vec<Vec3>,
-    /// How far any layer shows the cell, 0 to 1.
+    /// Combined weight of the layers in each cell, 0 to 1.
     pub(crate) presence: Vec<f32>,
-    /// How far the cell must be filled, 0 to 1; only on and near the mesh.
+    /// Share of each cell that must be filled, 0 to 1; only on and near the mesh.
     pub(crate) missing: Vec<f32>,
     pub(crate) shares: Shares,
 }
@@ -67,13 +67,13 @@ impl Blend {
     }
 }
 
-/// How well a layer shows a cell.
+/// Quality of a layer in a cell.
 fn quality(layer: &Layer, cell: usize) -> f32 {
     let likeness = if layer.side == Side::Mirrored { MIRRORED } else { 1.0 };
     layer.cosine[cell].max(0.0) * likeness
 }
 
-/// How far each layer may be used in each cell: in a feature, only the layer that shows it best, as far as it does.
+/// Limit of each layer's weight in each cell: in a feature, the layer that shows it best excludes the others.
 fn allowed_in_features(layers: &[Layer], features: &[Vec<f32>]) -> Vec<Vec<f32>> {
     let mut allowed = vec![vec![1.0; AREA]; layers.len()];
     for feature in features {

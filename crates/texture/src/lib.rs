@@ -1,7 +1,7 @@
 //! Bakes photos of a mesh into one picture in the mesh's texture coordinates.
 //!
-//! [`texture`] resamples each [`Shot`] to the texture of a [`Subject`] twice, directly and mirrored (`layer`). Of each,
-//! it uses the parts that are visible (`depths`) and that show the mesh rather than an occluder or the background
+//! [`texture`] resamples each [`Shot`] to the texture of a [`Subject`] twice, directly and mirrored (`layer`), and uses
+//! the parts of each that are visible (`depths`) and that show the mesh rather than an occluder or the background
 //! (`trust`). It matches exposures where two layers overlap (`matching`), averages low frequencies and takes details
 //! from the best layer (`blend`), and fills the rest from its surroundings (`filling`, `grain`). These steps work on
 //! small maps (`map`), from which the texels are rendered (`draw`). The crate does not depend on faces.

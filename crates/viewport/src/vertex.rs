@@ -1,8 +1,8 @@
 //! Vertex data for the GPU. A drag needs no upload of it.
 //!
 //! An edit moves vertex v by `g_v Δ`. The sum of the cross products around the vertex, its unnormalised normal, is then
-//! *exactly* `n_v + t_v × Δ`: a triangle's edges become `e + dg Δ`, and `Δ × Δ` vanishes. So the field `g` and the
-//! derivative `t` are uploaded once per handle, and a slider's tick uploads only the three numbers of Δ. A second,
+//! *exactly* `n_v + t_v × Δ`: a triangle's edges become `e + dg Δ`, and `Δ × Δ` vanishes. The field `g` and the
+//! derivative `t` are therefore uploaded once per handle, and a tick uploads only the three numbers of Δ. A second,
 //! mirrored handle adds the term `c_v Δ_a × Δ_b`.
 
 use bytemuck::{Pod, Zeroable};

@@ -43,7 +43,7 @@ const MIN_AREA: f64 = 0.12;
 const PUSHED_AREA: f64 = 0.15;
 /// Over-relaxation factor. Without it, triangles with the same correction converge slowly.
 const OVER_RELAXATION: f64 = 1.5;
-/// Iterations; from `SPREAD_FROM` on, every second one is diffusion. `HALVINGS` are bisection steps of the scale.
+/// Iterations; from `SPREAD_FROM` on, push and diffusion alternate. `HALVINGS` are bisection steps of the scale.
 const ROUNDS: usize = 140;
 const SPREAD_FROM: usize = 70;
 const HALVINGS: usize = 24;

@@ -2,8 +2,8 @@
 //! the points, up to a border beyond which nothing moves.
 //!
 //! [`Warp`] triangulates the picture (`layout`): the points, a lattice around and between them, and the border. Around
-//! the points, the displacement has zero bi-Laplacian, with value and slope zero at the border. Where triangles would
-//! fold, offsets are reduced (`folds`, `coarse`). [`drawn`] renders the warped picture. [`leading`] selects the
+//! the points, the displacement has zero bi-Laplacian, with value and slope zero at the border. Offsets are reduced
+//! to keep triangles from folding (`folds`, `coarse`). [`drawn`] renders the warped picture. [`leading`] selects the
 //! vertices of a surface that can lead a warp: those that are [`seen()`] and not close to another part of the surface.
 //! The crate does not depend on faces.
 

@@ -50,7 +50,7 @@ pub struct LandmarksTask {
 /// Mesh that the edits apply to.
 #[derive(Debug, Args)]
 pub struct MeshArguments {
-    /// How triangles connect the landmarks: with openings for eyes and mouth, or closed
+    /// Triangulation of the landmarks: open at eyes and mouth, or closed
     #[arg(long, default_value = Triangulation::Canonical.id(),
         value_parser = one_of("triangulation", Triangulation::ALL, Triangulation::id, Triangulation::from_id))]
     pub topology: Triangulation,

@@ -22,7 +22,7 @@ pub struct FoundLine<'a> {
     pub is_whole: bool,
 }
 
-/// What [`Lines::read`] does with a line.
+/// Decision of [`Lines::read`]'s callback about a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     Keep,

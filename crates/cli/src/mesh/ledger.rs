@@ -82,8 +82,8 @@ impl Ledger {
         let there = outputs.iter().map(|output| is_there(output)).collect::<Result<Vec<bool>, _>>()?;
         let records = self.by_photo.get(&input::identity(photo)).map_or(&[][..], Vec::as_slice);
         let is_current = |record: &Record| record.request == self.request && record.sha256.len() == outputs.len();
-        // The user's later changes to the files are kept. Only a mesh of an older record shows that this request's
-        // files were never put in place.
+        // Files that the user changed later count as done. A mesh that matches an older record does not: the last run
+        // was killed before it put the new files in place.
         if records.last().is_some_and(is_current)
             && there.iter().all(|&there| there)
             && !input::is_standard_input(photo)
