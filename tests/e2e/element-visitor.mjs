@@ -2,7 +2,7 @@ import { PNG } from "pngjs";
 import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
 import { serve } from "./server.mjs";
-import { recordGpus } from "./watches.mjs";
+import { recordGpus } from "./page-scripts.mjs";
 
 const SCRIPT = `<script type="module" src="node_modules/rosto/element/rosto-studio.js"></script>`;
 

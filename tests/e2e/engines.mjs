@@ -4,7 +4,7 @@ import { mkdir } from "node:fs/promises";
 import path from "node:path";
 import { error as errors } from "selenium-webdriver";
 import { ENGINES, openDisplay, start } from "./engines/browsers.mjs";
-import { walkCore, walkElement } from "./engines/walks.mjs";
+import { runCoreScenario, runElementScenario } from "./engines/scenarios.mjs";
 import { installed, SITE } from "./package.mjs";
 import { DIST, serve } from "./server.mjs";
 
@@ -34,8 +34,8 @@ async function visit(name) {
     let browser;
     try {
       browser = await start(name, display.env);
-      const drawnBy = await walkCore(browser, core.url, PICTURES);
-      await walkElement(browser, element.url, PICTURES);
+      const drawnBy = await runCoreScenario(browser, core.url, PICTURES);
+      await runElementScenario(browser, element.url, PICTURES);
       console.log(`✓ ${browser.version}, drawn by ${drawnBy} (${((performance.now() - started) / 1000).toFixed(0)} s)`);
       return true;
     } catch (error) {

@@ -4,10 +4,10 @@ import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
 import { alike, test } from "./fixtures.mjs";
 import { chooseFace, openGroup } from "./groups.mjs";
-import { storedWorks, untilSaved } from "./kept.mjs";
+import { storedWorks, untilSaved } from "./storage.mjs";
 import { asJpeg, sixTimes } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { trapIn, refuseDatabase } from "./watches.mjs";
+import { trapIn, refuseDatabase } from "./page-scripts.mjs";
 
 test.use({ visit: { expert: true } });
 

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { alike, test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { crashBefore, recordGpus } from "./watches.mjs";
+import { crashBefore, recordGpus } from "./page-scripts.mjs";
 
 test.use({ visit: { scripts: [recordGpus] } });
 

@@ -4,7 +4,7 @@ import path from "node:path";
 import { portraitLandmarks } from "./video.mjs";
 import { FRAMES_PER_S, STILL_FRAMES, mapToFrame, poseIn, speedIn } from "./video-frames.mjs";
 import { test as base } from "./fixtures.mjs";
-import { crashBefore } from "./watches.mjs";
+import { crashBefore } from "./page-scripts.mjs";
 
 /** @typedef {import("./following-page.mjs").Seen} Seen */
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
-import { crashGpu, recordGpus } from "./watches.mjs";
+import { crashGpu, recordGpus } from "./page-scripts.mjs";
 
 test.use({ visit: { scripts: [recordGpus] } });
 

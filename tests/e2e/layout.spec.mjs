@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
-import { WINDOW_SIZES } from "./audiences.mjs";
+import { WINDOW_SIZES } from "./window-sizes.mjs";
 import { findings } from "./boxes.mjs";
 import { chinFindings } from "./chin.mjs";
 import { alike, test } from "./fixtures.mjs";

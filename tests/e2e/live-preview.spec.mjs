@@ -7,7 +7,7 @@ import { portraitLandmarks } from "./video.mjs";
 import { FRAMES_PER_S, HEIGHT_PX, SPEED_PX_S, WIDTH_PX, mapToFrame, numberOf, poseIn } from "./video-frames.mjs";
 import { test } from "./fixtures.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
-import { crashBefore } from "./watches.mjs";
+import { crashBefore } from "./page-scripts.mjs";
 
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
 /** @typedef {import("./pixels.mjs").Pixels} Pixels */

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { alike, test } from "./fixtures.mjs";
-import { untilSaved } from "./kept.mjs";
+import { untilSaved } from "./storage.mjs";
 
 test.use({ visit: { expert: true } });
 

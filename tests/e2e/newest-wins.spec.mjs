@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { assertRestored } from "./meshes.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { recordWorkers } from "./watches.mjs";
+import { recordWorkers } from "./page-scripts.mjs";
 
 /** 12 megapixels. */
 const LARGE = { width: 4000, height: 3000 };

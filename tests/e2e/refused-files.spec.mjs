@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { changedProject, glbOf, partsOfGlb, projectWithoutShape } from "./changed-files.mjs";
 import { test } from "./fixtures.mjs";
-import { changeStorage, untilSaved } from "./kept.mjs";
+import { changeStorage, untilSaved } from "./storage.mjs";
 
 /** @type {Record<string, (history: any) => void>} */
 const BAD_HISTORIES = {

@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
-import { storedWorks, untilSaved } from "./kept.mjs";
+import { storedWorks, untilSaved } from "./storage.mjs";
 import { meanStep } from "./pixels.mjs";
-import { trapIn } from "./watches.mjs";
+import { trapIn } from "./page-scripts.mjs";
 
 test.use({ visit: { expert: true } });
 

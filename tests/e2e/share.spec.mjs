@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { alike, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
-import { crashGpu, recordGpus } from "./watches.mjs";
+import { crashGpu, recordGpus } from "./page-scripts.mjs";
 
 /** Time limit for a recording on a slow machine. */
 const CLIP_MS = 120_000;

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
-import { delayFile } from "./held.mjs";
+import { delayFile } from "./delayed-file.mjs";
 
 /** Responses that leave the page without a module. */
 const FAULTS = [

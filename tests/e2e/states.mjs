@@ -1,8 +1,8 @@
 import { readFile } from "node:fs/promises";
 import { findings } from "./boxes.mjs";
 import { openGroup } from "./groups.mjs";
-import { Hand } from "./hand.mjs";
-import { untilSaved } from "./kept.mjs";
+import { Pointer } from "./pointer.mjs";
+import { untilSaved } from "./storage.mjs";
 import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -106,16 +106,16 @@ async function selectNose(visitor) {
 async function grabNose(visitor) {
   await selectNose(visitor);
   const nose = await visitor.tagPosition();
-  const hand = await Hand.of(visitor);
-  await hand.press(nose);
+  const pointer = await Pointer.of(visitor);
+  await pointer.press(nose);
   const { height } = await visitor.page.locator("#viewport").boundingBox();
-  await hand.move(nose, { x: nose.x + 0.015 * height, y: nose.y - 0.03 * height });
+  await pointer.move(nose, { x: nose.x + 0.015 * height, y: nose.y - 0.03 * height });
   await visitor.frames(3);
 }
 
 async function releaseNose(visitor) {
-  const hand = await Hand.of(visitor);
-  await hand.release();
+  const pointer = await Pointer.of(visitor);
+  await pointer.release();
   await visitor.frames(3);
 }
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
-import { changeStorage, storedWorks, untilSaved } from "./kept.mjs";
+import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 
 /** Longer than the page's timeouts for database and locks. */
 const TIMEOUT_S = 8;

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 import { chooseFace, openGroup, openOther } from "./groups.mjs";
-import { storedWorks, untilSaved } from "./kept.mjs";
+import { storedWorks, untilSaved } from "./storage.mjs";
 
 test("two tabs save separate works, and each restores its own face and edits", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { test } from "./fixtures.mjs";
-import { delayFile } from "./held.mjs";
+import { delayFile } from "./delayed-file.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const words = ["en", "pt"].map((language) => readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));

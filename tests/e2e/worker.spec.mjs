@@ -3,12 +3,12 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
-import { delayFile } from "./held.mjs";
+import { delayFile } from "./delayed-file.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { crashBefore, recordWorkers } from "./watches.mjs";
+import { crashBefore, recordWorkers } from "./page-scripts.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 

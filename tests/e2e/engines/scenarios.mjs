@@ -25,7 +25,7 @@ const ARRIVING = /\.(part|crdownload|wkdownload|tmp)$|^\./;
  * @param {string} pictures the folder for screenshots
  * @returns {Promise<string>} the renderer's name
  */
-export async function walkCore(browser, url, pictures) {
+export async function runCoreScenario(browser, url, pictures) {
   const { driver } = browser;
   const picture = (name) => shot(driver, path.join(pictures, `${browser.name}-${name}.png`));
   const find = (selector) => driver.findElement(By.css(selector));
@@ -90,7 +90,7 @@ export async function walkCore(browser, url, pictures) {
  * @param {string} url
  * @param {string} pictures the folder for screenshots
  */
-export async function walkElement({ driver, name, errors }, url, pictures) {
+export async function runElementScenario({ driver, name, errors }, url, pictures) {
   const picture = (what) => shot(driver, path.join(pictures, `${name}-element-${what}.png`));
   const untilEdits = (count) => until(driver, `document.querySelector("rosto-studio").state.edits === ${count}`, `${count} edits`);
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
-import { untilSaved } from "./kept.mjs";
-import { trapIn } from "./watches.mjs";
+import { untilSaved } from "./storage.mjs";
+import { trapIn } from "./page-scripts.mjs";
 
 test.use({ visit: { scripts: [countCalls] } });
 

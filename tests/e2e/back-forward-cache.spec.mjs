@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
-import { storedWorks, untilSaved } from "./kept.mjs";
+import { storedWorks, untilSaved } from "./storage.mjs";
 
 test("a page restored from the back/forward cache continues its work", { tag: "@way-back" }, async ({ editor, page }) => {
   await leave(editor);

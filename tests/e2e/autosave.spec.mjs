@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { alike, test } from "./fixtures.mjs";
-import { untilSaved } from "./kept.mjs";
-import { refuseDatabase } from "./watches.mjs";
+import { untilSaved } from "./storage.mjs";
+import { refuseDatabase } from "./page-scripts.mjs";
 
 /** Number field of the selected landmark's z offset, in mm. */
 const NOSE_OUT = "#landmark-sliders [data-axis='z'] input[type=number]";

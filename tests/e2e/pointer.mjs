@@ -2,15 +2,15 @@
 const STEPS = 6;
 
 /** @type {WeakMap<import("@playwright/test").Page, ReturnType<typeof mouse> | ReturnType<typeof finger>>} */
-const HANDS = new WeakMap();
+const POINTERS = new WeakMap();
 
 /** Touch on windows with a coarse pointer, otherwise the mouse. It can stay pressed between calls. */
-export const Hand = {
+export const Pointer = {
   /** @param {import("./visitor.mjs").Visitor} visitor */
   async of({ page }) {
     const isTouch = await page.evaluate(() => matchMedia("(pointer: coarse)").matches);
-    if (!HANDS.has(page)) HANDS.set(page, isTouch ? finger(await page.context().newCDPSession(page)) : mouse(page.mouse));
-    return HANDS.get(page);
+    if (!POINTERS.has(page)) POINTERS.set(page, isTouch ? finger(await page.context().newCDPSession(page)) : mouse(page.mouse));
+    return POINTERS.get(page);
   },
 };
 
