@@ -1,5 +1,5 @@
-// HTTP headers for the files of the page, in the formats of common hosts. The Content-Security-Policy is the page's own, plus
-// the directive that only works in a header.
+// HTTP headers for the files of the page, in the formats of common hosts. The Content-Security-Policy is the page's
+// own, plus the directive that only works in a header.
 
 /** Only features that all engines know, as browsers warn about unknown names. */
 const PERMISSIONS = "camera=(self), microphone=(), geolocation=(), display-capture=(), fullscreen=()";

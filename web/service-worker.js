@@ -1,11 +1,11 @@
 /**
  * Service worker for offline use. Caches the page's files on install, and the WebGL2 module for browsers that use it.
  *
- * There is one cache per version. Each client (page or worker) is recorded with the version it was opened in, and gets the
- * files of that version:
+ * There is one cache per version. Each client (page or worker) is recorded with the version it was opened in, and gets
+ * the files of that version:
  * - Pages are network first. After a timeout or an error, the page comes from the cache.
- * - Other files are cache first. A file that is not cached is fetched and must match the hash in the page's integrity list;
- *   otherwise loading fails.
+ * - Other files are cache first. A file that is not cached is fetched and must match its hash in the page's integrity
+ *   list; otherwise loading fails.
  *
  * After a deploy, the new service worker caches its files and waits until all pages are closed. Until then, the old one
  * serves the pages of both versions.
@@ -84,8 +84,8 @@ async function cacheFallback() {
 }
 
 /**
- * A request that fails if the response is not the built file: from the HTTP cache of an earlier version, from a server during
- * a deploy, or altered in transit.
+ * A request that fails if the response is not the built file: from the HTTP cache of an earlier version, from a server
+ * during a deploy, or altered in transit.
  *
  * @param {[string, string]} entry
  */

@@ -20,8 +20,8 @@ import { stateOf, themeOf } from "./state.js";
 const CHOICES = ["shading", "density", "lens"];
 
 /**
- * `<rosto-studio>`: the face in a photo as a mesh that the user can rotate and reshape. The photo comes from `src` or an `img`
- * child. See docs/embed.md.
+ * `<rosto-studio>`: the face in a photo as a mesh that the user can rotate and reshape. The photo comes from `src` or
+ * an `img` child. See docs/embed.md.
  */
 export class RostoStudio extends HTMLElement {
   static observedAttributes = ["src", "lang", "controls", ...CHOICES];

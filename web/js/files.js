@@ -2,8 +2,8 @@
 let base;
 
 /**
- * Sets the base URL of the folders `wasm`, `assets` and `words`. By default, they are siblings of this module's folder. Call
- * it before any other function; files already loaded stay in use.
+ * Sets the base URL of the folders `wasm`, `assets` and `words`. By default, they are siblings of this module's folder.
+ * Call it before any other function; files already loaded stay in use.
  *
  * @param {string | URL} url of the folder, with or without a trailing slash
  */

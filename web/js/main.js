@@ -69,7 +69,7 @@ const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forge
 const opening = new Opening({ host, overlay, faceChoice, vision, autosave, opened });
 
 host.then(setUpExpert);
-setUpTheme((theme) => host.then((there) => there?.act((studio) => studio.setTheme(theme))));
+setUpTheme((theme) => host.then((opened) => opened?.act((studio) => studio.setTheme(theme))));
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
 setUpLivePreview({ host, vision, opening });

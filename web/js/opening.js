@@ -31,9 +31,9 @@ import { kindOf, readSavedFile } from "./work/saved-file.js";
  */
 
 /**
- * Single entry point for photos, files, the camera, the sample and restored work. A newer request cancels the pending one.
- * A face replaces the current one only after it was read and checked, so a failure leaves the current and the saved work
- * unchanged.
+ * Single entry point for photos, files, the camera, the sample and restored work. A newer request cancels the pending
+ * one. A face replaces the current one only after it was read and checked, so a failure leaves the current and the
+ * saved work unchanged.
  */
 export class Opening {
   #newest = 0;
@@ -128,8 +128,8 @@ export class Opening {
   }
 
   /**
-   * Removes a photo from the open face. Its index is looked up when the queue reaches it, as earlier changes may move or
-   * remove it.
+   * Removes a photo from the open face. Its index is looked up when the queue reaches it, as earlier changes may move
+   * or remove it.
    *
    * @param {OpenedFace} photo
    */
@@ -300,8 +300,8 @@ export class Opening {
   }
 
   /**
-   * Opens a face in the studio, atomically and as the last step that can fail. The pixels, the face and the photo panel are
-   * updated in separate tasks to keep the page responsive.
+   * Opens a face in the studio, atomically and as the last step that can fail. The pixels, the face and the photo panel
+   * are updated in separate tasks to keep the page responsive.
    *
    * @param {Incoming} incoming
    * @param {() => boolean} isWanted
@@ -339,7 +339,7 @@ export class Opening {
     faceChoice.show(faces, recentFaces(this.#earlier, faces), bitmap).catch((error) => console.warn("cannot show the recent faces:", error));
     resetPanel(ofThisVisit);
     // Fields that were being typed in can be updated again.
-    host.then((there) => there?.announce());
+    host.then((ready) => ready?.announce());
     opened(extraction_ms);
     if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
     else if (isDoubtful) showRemark("may-not-be-a-face", {});

@@ -1,5 +1,6 @@
-// Builds the npm package from the built page: node web/package/build.mjs [FOLDER]. The folder defaults to target/npm/rosto.
-// The package contains the modules reachable from its entry points, and the type declarations reachable from theirs.
+// Builds the npm package from the built page: node web/package/build.mjs [FOLDER]. The folder defaults to
+// target/npm/rosto. The package contains the modules reachable from its entry points, and the type declarations
+// reachable from theirs.
 import { execFile } from "node:child_process";
 import { cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import path from "node:path";

@@ -11,8 +11,8 @@
  */
 
 /**
- * Queue of camera frames for the worker: one is in flight and one waits. A newer frame replaces the waiting one, which bounds
- * the latency to two frames.
+ * Queue of camera frames for the worker: one is in flight and one waits. A newer frame replaces the waiting one, which
+ * bounds the latency to two frames.
  */
 export class FrameQueue {
   #post;

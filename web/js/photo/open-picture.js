@@ -43,7 +43,8 @@ export async function inStrips(host, pixels, width, add, isWanted) {
 }
 
 /**
- * Copies the pictures of all photos into the studio, and the detections of all but the last, which {@link openFace} passes.
+ * Copies the pictures of all photos into the studio, and the detections of all but the last, which {@link openFace}
+ * passes.
  *
  * @param {Host} host
  * @param {OpenedFace[]} photos

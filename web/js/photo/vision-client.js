@@ -136,9 +136,9 @@ export class VisionClient {
   }
 
   /**
-   * Follows a face into the next frame of a video. One frame is processed at a time and one waits. A newer frame replaces the
-   * waiting one, whose promise resolves to undefined. Takes ownership of `frame`; the caller closes the frame in the result.
-   * If the worker dies, the promise rejects, and the next frame starts another worker.
+   * Follows a face into the next frame of a video. One frame is processed at a time and one waits. A newer frame
+   * replaces the waiting one, whose promise resolves to undefined. Takes ownership of `frame`; the caller closes the
+   * frame in the result. If the worker dies, the promise rejects, and the next frame starts another worker.
    *
    * @param {ImageBitmap} frame upright, of any size; frames over 640 px on the longer side are scaled down
    * @param {number} time_ms timestamp, from any origin

@@ -1,8 +1,8 @@
 import { byId } from "../page/dom.js";
 
 /**
- * Sets up the link that opens the face in AR Quick Look, in Safari on iPhone and iPad. A click creates the USDZ file and then
- * clicks the link again. Safari detects the format by the file name.
+ * Sets up the link that opens the face in AR Quick Look, in Safari on iPhone and iPad. A click creates the USDZ file
+ * and then clicks the link again. Safari detects the format by the file name.
  *
  * @param {() => Promise<File>} make
  * @param {(error: unknown) => void} onError

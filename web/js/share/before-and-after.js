@@ -10,8 +10,8 @@ const SCALE = 2;
 const MAX_PX = 2048;
 
 /**
- * Pictures of the face before and after the edits, with the same camera. Both are requested in one task, which restores the
- * view at its end, so the screen does not change.
+ * Pictures of the face before and after the edits, with the same camera. Both are requested in one task, which restores
+ * the view at its end, so the screen does not change.
  *
  * @param {Host} host
  * @param {boolean} isTransparent transparent background

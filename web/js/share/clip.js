@@ -28,8 +28,8 @@ const SIDE_PX = 720;
  */
 
 /**
- * Records the face swinging once from side to side. Each frame is drawn off screen, without the editing tools. Restores the
- * view at the end, also after an error.
+ * Records the face swinging once from side to side. Each frame is drawn off screen, without the editing tools. Restores
+ * the view at the end, also after an error.
  *
  * @param {Host} host
  * @param {ClipOptions} options

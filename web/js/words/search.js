@@ -14,8 +14,8 @@ const RANKS = [
 ];
 
 /**
- * Index of the best match: the full name, the name without its number, leading words, a prefix, prefixes of words, or any
- * substring. Among equals, the shortest name wins. Ignores case, accents and punctuation.
+ * Index of the best match: the full name, the name without its number, leading words, a prefix, prefixes of words, or
+ * any substring. Among equals, the shortest name wins. Ignores case, accents and punctuation.
  *
  * @param {string} text
  * @param {string[]} names

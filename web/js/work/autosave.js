@@ -17,9 +17,9 @@ import { TimeoutError } from "./timeout.js";
 const SAVE_DELAY_MS = 200;
 
 /**
- * Saves the work in this browser, so that it survives a reload or a crash, and offers it on the next visit. Each opened face
- * has one slot, locked by this tab while the face is on the screen. The edits of earlier faces also stay in memory, so that
- * the user can return to them without storage.
+ * Saves the work in this browser, so that it survives a reload or a crash, and offers it on the next visit. Each opened
+ * face has one slot, locked by this tab while the face is on the screen. The edits of earlier faces also stay in
+ * memory, so that the user can return to them without storage.
  */
 export class Autosave {
   /** The face on the screen. @type {StoredFace | undefined} */

@@ -1,6 +1,6 @@
 /**
- * The IndexedDB database. A slot has one row in each store: `faces` holds the face with its photos, `done` its edits, which
- * change often. Another tab can block opening or a transaction indefinitely, so each step has a timeout.
+ * The IndexedDB database. A slot has one row in each store: `faces` holds the face with its photos, `done` its edits,
+ * which change often. Another tab can block opening or a transaction indefinitely, so each step has a timeout.
  *
  * @typedef {{ faces: IDBObjectStore, done: IDBObjectStore }} Stores
  */
@@ -19,8 +19,8 @@ const COMMIT_MS = 20_000;
 export const ORDER = "order";
 
 /**
- * Runs `act` in one transaction over both stores. Resolves after the commit: a request that succeeded can still be rolled
- * back, for example on a full disk.
+ * Runs `act` in one transaction over both stores. Resolves after the commit: a request that succeeded can still be
+ * rolled back, for example on a full disk.
  *
  * @template T
  * @param {IDBTransactionMode} mode

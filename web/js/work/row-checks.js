@@ -2,8 +2,7 @@
  * Type guards for database rows.
  *
  * @typedef {import("./work.js").OpenedFace} OpenedFace
- * @typedef {Omit<OpenedFace, "picture" | "further"> & { picture: Uint8Array | Blob }} StoredPhoto `picture` is a Blob if the
- *   browser can store one
+ * @typedef {Omit<OpenedFace, "picture" | "further"> & { picture: Uint8Array | Blob }} StoredPhoto
  * @typedef {StoredPhoto & { further?: StoredPhoto[] }} FaceRow
  * @typedef {import("./drafts.js").StoredEdits} StoredEdits
  */

@@ -25,7 +25,8 @@ export async function kindOf(file) {
 }
 
 /**
- * Reads the work from a GLB or project saved by Rosto. `changedElsewhere` reports whether another program changed the mesh.
+ * Reads the work from a GLB or project saved by Rosto. `changedElsewhere` reports whether another program changed the
+ * mesh.
  *
  * @param {Blob} file
  * @param {"glb" | "project"} kind

@@ -119,7 +119,7 @@ function asBlob(photo) {
   return { ...photo, picture: new Blob([/** @type {BlobPart} */ (photo.picture)]) };
 }
 
-/** Fallback: some browsers reject Blobs in private windows, or the disk is too full for the file. @param {OpenedFace} photo */
+/** Fallback if the browser rejects Blobs, as in some private windows, or the disk is full. @param {OpenedFace} photo */
 function withoutFile({ photo: _, ...photo }) {
   return photo;
 }

@@ -1,8 +1,8 @@
 import { checkSize } from "../../wasm/rosto-vision-web.js";
 
 /**
- * Decodes a photo with the browser, which may support more formats than the module. Returns an upright sRGB PNG, or undefined
- * if the browser cannot decode the photo.
+ * Decodes a photo with the browser, which may support more formats than the module. Returns an upright sRGB PNG, or
+ * undefined if the browser cannot decode the photo.
  *
  * @param {Blob} photo
  */

@@ -32,8 +32,8 @@ export function follow(vision, frame, time_ms) {
 /**
  * Reads the pixels of a frame, scaled down to `LONGEST_SIDE_PX`.
  *
- * Landmark coordinates start at the centre of the first pixel. Scaling moves this centre, so the copy is shifted by the same
- * amount, and the landmarks fit the original frame.
+ * Landmark coordinates start at the centre of the first pixel. Scaling moves this centre, so the copy is shifted by the
+ * same amount, and the landmarks fit the original frame.
  *
  * @param {ImageBitmap} frame
  */

@@ -1,6 +1,6 @@
 /**
- * Runs Khronos' glTF validator, which is slow on a dense mesh. A classic worker, because the validator is a CommonJS script
- * that assigns to `exports`.
+ * Runs Khronos' glTF validator, which is slow on a dense mesh. A classic worker, because the validator is a CommonJS
+ * script that assigns to `exports`.
  *
  * @typedef {{ numErrors: number, numWarnings: number, numInfos: number, numHints: number }} GltfIssues
  * @typedef {{ validateBytes: (bytes: Uint8Array, options: object) => Promise<{ issues: GltfIssues }> }} GltfValidator
@@ -18,7 +18,8 @@ validatorScope.addEventListener("message", async ({ data: { id, bytes } }) => {
 validatorScope.postMessage({ ready: true });
 
 /**
- * Passes a URL through a Trusted Types policy that accepts only the validator. Classic workers cannot import the page's policy.
+ * Passes a URL through a Trusted Types policy that accepts only the validator. Classic workers cannot import the page's
+ * policy.
  *
  * @param {string} url
  */

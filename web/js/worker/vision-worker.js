@@ -77,8 +77,8 @@ async function load({ base, list }) {
 }
 
 /**
- * Reports that a file is arriving, which resets the page's watchdog on a slow connection. Errors surface where the file is
- * used.
+ * Reports that a file is arriving, which resets the page's watchdog on a slow connection. Errors surface where the file
+ * is used.
  *
  * @param {Response} response
  */
