@@ -76,7 +76,7 @@ pub const INVARIANTS: [Invariant; 13] = [
         plant: |facts| facts.depend("rosto-mesh", "wgpu"),
     },
     Invariant {
-        text: "Of the page's two modules, only the one built from `studio-webgl` contains WebGL.",
+        text: "Only the page module that is built from `studio-webgl` contains WebGL.",
         breaches: |facts| {
             let wanted = [("rosto-studio-web", false), ("rosto-studio-webgl", true)].into_iter();
             let wrong = wanted.filter(|(package, wanted)| facts.modules[package].contains("glow") != *wanted);
