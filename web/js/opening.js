@@ -256,12 +256,12 @@ export class Opening {
     const lens = host.ask((studio) => studio.photoLens);
     host.attempt(act);
     const place = host.ask((studio) => photoFacts(studio).findIndex(({ leads }) => leads)) ?? 0;
-    // When another photo becomes the leading one, the previous one keeps the lens that the user set.
+    // When another photo becomes the lead photo, the previous one keeps the lens that the user set.
     const withLens = photosOf(previous).map((photo, at) => (at === (previous.place ?? 0) && lens !== undefined ? { ...photo, lens } : photo));
-    const isSamePrimary = change(photosOf(previous))[place]?.landmarks === previous.landmarks;
-    const face = faceFromPhotos(change(isSamePrimary ? photosOf(previous) : withLens), place, previous.name);
+    const isSameLead = change(photosOf(previous))[place]?.landmarks === previous.landmarks;
+    const face = faceFromPhotos(change(isSameLead ? photosOf(previous) : withLens), place, previous.name);
     autosave.replaceFace(face);
-    this.#current = { face, faces: isSamePrimary ? faces.map((other) => (other === previous ? face : other)) : [face] };
+    this.#current = { face, faces: isSameLead ? faces.map((other) => (other === previous ? face : other)) : [face] };
     // Listeners read the photos of the texture, which have just changed.
     host.announce();
     await nextTask();

@@ -110,7 +110,7 @@ export class VisionClient {
   }
 
   /**
-   * Makes the RGBA texture of a complete face.
+   * Makes the whole-face texture, RGBA.
    *
    * @param {TextureTask} face
    * @returns {Promise<Uint8Array>}

@@ -8,7 +8,7 @@ import { release, studioModule } from "../viewport/studio-module.js";
  */
 
 /**
- * Exports the face, after its texture is complete if the file needs the texture of the complete face.
+ * Exports the face, once the whole-face texture is ready if the file needs it.
  *
  * @param {Host} host
  * @param {WholeTexture} texture

@@ -1,5 +1,5 @@
 /**
- * A face with several photos: one leads, and the others contribute depth.
+ * A face with several photos: one is the lead photo, and the others contribute depth.
  *
  * @typedef {import("./work.js").OpenedFace} OpenedFace
  */
@@ -31,13 +31,13 @@ export function indexOfPhoto(face, photo) {
  * Combines photos into one face.
  *
  * @param {OpenedFace[]} photos in the order they were added
- * @param {number} place index of the leading photo
+ * @param {number} place index of the lead photo
  * @param {string | undefined} name stem of exported file names
  * @returns {OpenedFace}
  */
 export function faceFromPhotos(photos, place, name) {
   const lead = photos[place];
-  if (!lead) throw new Error("no leading photo");
+  if (!lead) throw new Error("no lead photo");
   const named = name === undefined ? lead : { ...lead, name };
   return photos.length === 1 ? named : { ...named, place, further: photos.filter((photo) => photo !== lead) };
 }

@@ -23,8 +23,8 @@
  * @property {number} pictureHeight_px
  * @property {Uint8Array} picture RGBA, upright, row by row
  * @property {OpenedFace[]} [further] the other photos of the face, in the order they were added; the fields above
- *   describe the leading photo
- * @property {number} [place] index of the leading photo among all photos
+ *   describe the lead photo
+ * @property {number} [place] index of the lead photo among all photos
  */
 
 /**

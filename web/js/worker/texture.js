@@ -1,5 +1,5 @@
 /**
- * Makes the texture of a complete face.
+ * Makes the whole-face texture.
  *
  * @typedef {import("./protocol.js").TextureTask} TextureTask
  */
