@@ -1,13 +1,13 @@
 import assert from "node:assert/strict";
 import axe from "axe-core";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { openGroup } from "./groups.mjs";
 
 const SIZES = { phone: { width: 390, height: 844 }, desktop: { width: 1440, height: 900 } };
 
 const SECTIONS = ["photo", "landmark", "face", "view", "history", "export", "paper"];
 
-for (const [[device, colorScheme], tag] of alike([["phone", "light"], ["phone", "dark"], ["desktop", "light"], ["desktop", "dark"]])) {
+for (const [[device, colorScheme], tag] of variants([["phone", "light"], ["phone", "dark"], ["desktop", "light"], ["desktop", "dark"]])) {
   test(`axe-core finds no violations: ${device}, ${colorScheme}`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: SIZES[device], colorScheme, scripts: [axe.source] });
     const { page } = visitor;

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { camera, recordCamera } from "./camera-watch.mjs";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 
 /** Records the page's requests for the camera. */
 test.use({ visit: { scripts: [recordCamera] } });
@@ -8,7 +8,7 @@ test.use({ visit: { scripts: [recordCamera] } });
 /** Longer than the countdown. */
 const COUNTED_MS = 5000;
 
-for (const [[presses, press], tag] of alike([
+for (const [[presses, press], tag] of variants([
   ["a double click opens", ({ page }) => page.dblclick("#welcome [data-action='camera']")],
   ["two clicks in one task open", pressTwice],
 ])) {
@@ -45,7 +45,7 @@ test("the dialog opens while the browser prompts, and a camera allowed after clo
   assert.equal((await camera(visitor)).live, 0);
 });
 
-for (const [moment, tag] of alike(["before the photo", "during the countdown"])) {
+for (const [moment, tag] of variants(["before the photo", "during the countdown"])) {
   test(`a camera unplugged ${moment} closes the dialog with a notice and takes no photo`, { tag: [...tag, "@camera"] }, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;

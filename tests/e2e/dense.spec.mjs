@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { PAGE_EDIT_OPTIONS, meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { assertSameShape, DENSEST, furthest, LANDMARKS, way } from "./meshes.mjs";
+import { assertSameShape, DENSEST, maxDisplacement, LANDMARKS, displacement } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -45,9 +45,9 @@ test("a point of the densest mesh can be clicked, dragged and undone, with the c
   await page.mouse.up();
   const moved = await editor.meshJson("mm");
   assert.ok(difference(before, await editor.view()) > 0.002, "the picture did not change");
-  const offset = way(start, moved, vertex);
+  const offset = displacement(start, moved, vertex);
   assert.ok(offset[0] > 0.5 && offset[1] > 1, `${offset}`);
-  assert.ok(furthest(start, moved) < 1.2 * Math.hypot(...offset));
+  assert.ok(maxDisplacement(start, moved) < 1.2 * Math.hypot(...offset));
   const [entry] = await editor.history();
   assert.match(entry, new RegExp(`^point ${vertex.toLocaleString("en")} near the `));
 
@@ -66,8 +66,8 @@ test("a point moves by sliders on both sides, waits on a coarser mesh, and can b
   assert.equal(await editor.selectedPoint(), 1_500);
   await editor.setOffset("z", 3);
   const moved = await editor.meshJson("mm");
-  assert.ok(Math.abs(way(start, moved, 1_500)[2] - 3) < 1e-9);
-  const both = moved.positions.filter((_, vertex) => Math.abs(way(start, moved, vertex)[2] - 3) < 1e-9);
+  assert.ok(Math.abs(displacement(start, moved, 1_500)[2] - 3) < 1e-9);
+  const both = moved.positions.filter((_, vertex) => Math.abs(displacement(start, moved, vertex)[2] - 3) < 1e-9);
   assert.equal(both.length, 2, "the other side did not follow");
 
   await editor.reveal("#point-density");
@@ -102,7 +102,7 @@ test("edits of points reopen from a GLB, and keep their position when eyes and m
   await next.untilFace();
   await next.page.waitForSelector("#history li", { state: "attached" });
   assert.deepEqual(await next.history(), history);
-  assert.ok(furthest(moved, await next.meshJson("mm")) < 1e-4);
+  assert.ok(maxDisplacement(moved, await next.meshJson("mm")) < 1e-4);
 
   await page.selectOption("#triangulation", "tessellation", { force: true });
   await editor.frames(3);

@@ -4,7 +4,7 @@ import { appendFile, cp, readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
 import { expect } from "@playwright/test";
-import { alike, test as base } from "./fixtures.mjs";
+import { variants, test as base } from "./fixtures.mjs";
 import { DIST } from "./server.mjs";
 
 const LISTING = path.resolve(import.meta.dirname, "../../web/list-for-offline.mjs");
@@ -21,7 +21,7 @@ const test = base.extend({
   builds: async ({}, use, testInfo) => use(await Promise.all([1, 2].map((number) => buildOf(number, testInfo.outputPath(String(number)))))),
 });
 
-for (const [[when, needs], tag] of alike([["opened on the first visit", "gpu"], ["opened without WebGPU", "webgl"]])) {
+for (const [[when, needs], tag] of variants([["opened on the first visit", "gpu"], ["opened without WebGPU", "webgl"]])) {
   test(`after a deploy, a tab ${when} keeps its version, and a new tab has the new one`, { tag: [...tag, `@${needs}`] }, async ({ open, server, builds: [older, newer] }) => {
     server.deploy(older);
     const old = await open({ serviceWorkers: "allow" });
@@ -50,12 +50,12 @@ for (const [[when, needs], tag] of alike([["opened on the first visit", "gpu"], 
     await expectScripts(next, 2);
     await old.page.bringToFront();
     await old.dropSample();
-    server.disturb((_, response) => Boolean(response.writeHead(503).end()));
+    server.intercept((_, response) => Boolean(response.writeHead(503).end()));
     await next.page.bringToFront();
     await next.page.reload();
     await next.page.waitForSelector("body[data-host='open']");
     await expectBuild(next, newer, needs);
-    server.disturb();
+    server.intercept();
 
     // On a page outside its scope, the new service worker activates once the old one has stopped.
     await old.page.close();
@@ -67,7 +67,7 @@ for (const [[when, needs], tag] of alike([["opened on the first visit", "gpu"], 
     await next.untilLoaded();
     await untilStored(next, 1);
     await expectBuild(next, newer);
-    server.disturb((_, response) => Boolean(response.writeHead(503).end()));
+    server.intercept((_, response) => Boolean(response.writeHead(503).end()));
     await next.page.reload();
     await next.page.waitForSelector("body[data-host='open']");
     await expectBuild(next, newer, needs);
@@ -79,7 +79,7 @@ test("a version that was not stored gets no files of the next one", async ({ ope
   const old = await open({ serviceWorkers: "allow" });
   await old.untilLoaded();
   server.deploy(newer);
-  server.disturb((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
+  server.intercept((name, response) => name === "service-worker.js" && Boolean(response.writeHead(503).end()));
   const next = await old.openTab();
   await expectBuild(next, newer);
   // Simulates a third version.

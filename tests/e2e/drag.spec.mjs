@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
-import { alike, test } from "./fixtures.mjs";
-import { way } from "./meshes.mjs";
+import { variants, test } from "./fixtures.mjs";
+import { displacement } from "./meshes.mjs";
 import { accentPixels } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
@@ -19,14 +19,14 @@ test("the nose can move sideways without mirroring, up to the slider's limit", a
   await editor.grab(tip, { x: 40, y: 0 });
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, not mirrored");
   await page.mouse.up();
-  const [dx, dy, dz] = way(start, await editor.meshJson("mm"), NOSE_TIP);
+  const [dx, dy, dz] = displacement(start, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(dx > 5 && Math.hypot(dy, dz) < 0.2 * dx, `it went by ${dx}, ${dy}, ${dz}`);
   assert.deepEqual(await editor.history(), ["nose tip · 1"]);
   await page.click("#toolbar [data-action='undo']");
   await editor.drag(tip, { x: 3, y: -40 });
   const moved = await editor.meshJson("mm");
-  assert.ok(Math.abs(way(start, moved, NOSE_TIP)[0]) < 1e-9, "a nearly vertical drag moved the nose sideways");
-  const [right, left] = NOSE_SIDES.map((wing) => way(start, moved, wing));
+  assert.ok(Math.abs(displacement(start, moved, NOSE_TIP)[0]) < 1e-9, "a nearly vertical drag moved the nose sideways");
+  const [right, left] = NOSE_SIDES.map((wing) => displacement(start, moved, wing));
   assert.ok(right[1] > 0.1 && Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
   await editor.drag(tip, { x: 0, y: 0 });
@@ -38,13 +38,13 @@ test("the nose can move sideways without mirroring, up to the slider's limit", a
   await page.mouse.up();
   const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
-  assert.ok(Math.abs(way(start, await editor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
+  assert.ok(Math.abs(displacement(start, await editor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
 
   await editor.drag(tip, { x: 37, y: 0 });
   const aside = await editor.meshJson("mm");
   await editor.setOffset("y", 5);
-  const lifted = way(aside, await editor.meshJson("mm"), NOSE_TIP);
+  const lifted = displacement(aside, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `rounding by a slider moved the nose: ${lifted}`);
 });
 
@@ -54,9 +54,9 @@ test("an edit shows its limited influence: pulling the nose leaves lips and eyel
   const start = await editor.meshJson("mm");
   await editor.setOffset("z", 12);
   const moved = await editor.meshJson("mm");
-  assert.ok(Math.abs(way(start, moved, NOSE_TIP)[2] - 12) < 1e-9);
+  assert.ok(Math.abs(displacement(start, moved, NOSE_TIP)[2] - 12) < 1e-9);
   for (const vertex of [...EYELIDS, ...INNER_LIPS]) {
-    const way_mm = Math.hypot(...way(start, moved, vertex));
+    const way_mm = Math.hypot(...displacement(start, moved, vertex));
     assert.ok(way_mm < 0.05, `${vertex} moved along by ${way_mm} mm`);
   }
   await page.click("#toolbar [data-action='undo']");
@@ -76,7 +76,7 @@ test("an edit shows its limited influence: pulling the nose leaves lips and eyel
   assert.ok(accentPixels(near) > accentPixels(whole) + 60, `${accentPixels(near)} and ${accentPixels(whole)} pixels of the accent`);
 });
 
-for (const [mode, tag] of alike(["landmark", "region", "point"])) {
+for (const [mode, tag] of variants(["landmark", "region", "point"])) {
   test(`a press grabs the highlighted point: ${mode}`, { tag }, async ({ editor }) => {
     await editor.reveal("#selection");
     await editor.page.check(`input[name='selection'][value='${mode}']`, { force: true });

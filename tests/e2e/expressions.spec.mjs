@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { partsOfGlb } from "./changed-files.mjs";
 import { test } from "./fixtures.mjs";
-import { furthest } from "./meshes.mjs";
+import { maxDisplacement } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
@@ -31,7 +31,7 @@ test("an expression is visible, can be undone, survives a reload, and becomes a 
   const opened = await editor.view();
   assert.ok(difference(rest, opened) > 0.01, "the mouth does not open");
   const work = await editor.meshJson("mm");
-  assert.ok(furthest(shape, work) > 5);
+  assert.ok(maxDisplacement(shape, work) > 5);
 
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), shape);
@@ -66,7 +66,7 @@ test("both sides can move together or apart, and reset is one undo step", { tag:
   const smiling = await editor.meshJson("mm");
   await editor.unfold("section-expressions");
   await page.click("[data-action='reset-expressions']");
-  assert.ok(furthest(shape, await editor.meshJson("mm")) < 1e-9);
+  assert.ok(maxDisplacement(shape, await editor.meshJson("mm")) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), smiling);
 });

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { assertSameMesh, furthest, way } from "./meshes.mjs";
+import { assertSameMesh, maxDisplacement, displacement } from "./meshes.mjs";
 import { PAGE_OPTIONS } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -22,7 +22,7 @@ test("nose width moves both sides equally, is one entry, and equals the command 
   assert.deepEqual(await editor.history(), ["Nose width"]);
 
   const after = await editor.meshJson("mm");
-  const [right, left] = WINGS.map((wing) => way(before, after, wing));
+  const [right, left] = WINGS.map((wing) => displacement(before, after, wing));
   assert.ok(Math.abs(left[0] - amount_mm) < 1e-6 && Math.abs(left[0] + right[0]) < 1e-6, `${right}, ${left}`);
   assertSameMesh(after, await meshByCommandLine(SAMPLE, [...PAGE_OPTIONS, "--slider", `nose-width:${amount_mm}`]));
 
@@ -50,7 +50,7 @@ test("a slider shows the sum of its entries, and a double click on its name rese
     await page.dblclick(`[data-slider="${slider}"] .slider-label`);
     assert.equal(await editor.sliderValue(slider), 0);
   }
-  assert.ok(furthest(start, await editor.meshJson("mm")) < 1e-9);
+  assert.ok(maxDisplacement(start, await editor.meshJson("mm")) < 1e-9);
 });
 
 test("sliders work by keyboard and in Portuguese, and keep the selected landmark", async ({ editor, page }) => {

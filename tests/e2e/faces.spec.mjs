@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { chooseFace, openGroup } from "./groups.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 import { asJpeg, sixTimes } from "./pictures.mjs";
@@ -176,7 +176,7 @@ test("on a phone the strip of faces scrolls, and the chosen face is visible", { 
   assert.equal(await page.evaluate("scrollX + document.getElementById('stage').scrollLeft"), 0);
 });
 
-for (const [{ width, height }, tag] of alike([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
+for (const [{ width, height }, tag] of variants([{ width: 390, height: 844 }, { width: 844, height: 390 }, { width: 720, height: 450 }])) {
   test(`at ${width}×${height} the faces of a group appear over the stage and cover no other element`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 import { crashBefore, recordGpus } from "./page-scripts.mjs";
 
@@ -68,7 +68,7 @@ for (const { loss, lose, label, code, tag } of [
   });
 }
 
-for (const [{ reply, action, code }, tag] of alike([
+for (const [{ reply, action, code }, tag] of variants([
   { reply: "drawn", action: "download-photo-png", code: "photo-not-written" },
   { reply: "textured", action: "download-glb", code: "texture-not-made" },
 ])) {

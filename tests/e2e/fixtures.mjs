@@ -80,7 +80,7 @@ export const test = base.extend({
  * @param {readonly T[]} cases
  * @returns {[T, string[]][]}
  */
-export function alike(cases) {
+export function variants(cases) {
   return cases.map((one, place) => [one, place === 0 ? [] : ["@rare"]]);
 }
 

@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 import { crashGpu, recordGpus } from "./page-scripts.mjs";
 
 test.use({ visit: { scripts: [recordGpus] } });
 
-for (const [{ drawn, needs }, tag] of alike([
+for (const [{ drawn, needs }, tag] of variants([
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ])) {

@@ -1,14 +1,14 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { faceless } from "./pictures.mjs";
 import { DIST } from "./server.mjs";
 
 /** Files that the worker requires. */
 const WORKER_FILES = ["assets/face_detector.onnx", "assets/face_landmarks_attention.onnx", "wasm/rosto-vision-web_bg.wasm"];
 
-for (const [file, tag] of alike(WORKER_FILES)) {
+for (const [file, tag] of variants(WORKER_FILES)) {
   test(`a ${path.extname(file)} with a flipped bit is not used (${path.basename(file)}), and the work stays`, { tag }, async ({ visitor, page, server }) => {
     await visitor.dropSample();
     await visitor.move("nose tip", "z", 7);
@@ -29,18 +29,18 @@ for (const [file, tag] of alike(WORKER_FILES)) {
     await visitor.setLanguage("en");
     assert.deepEqual(await visitor.meshJson("mm"), work);
 
-    server.disturb();
+    server.intercept();
     await visitor.dropSample();
     await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   });
 }
 
-for (const [file, tag] of alike(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
+for (const [file, tag] of variants(["wasm/rosto-studio-web_bg.wasm", "integrity.json"])) {
   test(`a first visit with a damaged ${path.basename(file)} shows the right error`, { tag }, async ({ open, server }) => {
     await damage(server, file);
     const visitor = await open();
     assert.equal((await visitor.notice()).code, "not-as-built");
-    server.disturb();
+    server.intercept();
     await visitor.page.reload();
     await visitor.page.waitForSelector("body[data-host='open']");
     assert.ok(await visitor.page.isHidden("#notice"));
@@ -63,7 +63,7 @@ async function damage(server, file, times = Infinity) {
   bytes[place] ^= 1;
   const type = file.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";
   const requests = [];
-  server.disturb((name, response) => {
+  server.intercept((name, response) => {
     if (name !== file) return false;
     requests.push(name);
     if (requests.length > times) return false;

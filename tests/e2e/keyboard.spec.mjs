@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
@@ -81,7 +81,7 @@ const STOPS = {
 };
 const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];
 
-for (const [[tab, stops], tag] of alike(Object.entries(STOPS))) {
+for (const [[tab, stops], tag] of variants(Object.entries(STOPS))) {
   test(`Tab reaches each control on the ${tab} tab, with a complete focus ring`, { tag }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 3);
     await editor.unfold("section-paper");

@@ -3,7 +3,7 @@ import { expect } from "@playwright/test";
 import { WINDOW_SIZES } from "./window-sizes.mjs";
 import { findings } from "./boxes.mjs";
 import { chinFindings } from "./chin.mjs";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { STATES, allowDelayedReplies, problemsOf } from "./states.mjs";
 
 /** Windows smaller than the common ones, and the states tested in them. */
@@ -11,8 +11,8 @@ const SMALL = [{ width: 320, height: 568 }, { width: 640, height: 360 }];
 const SEEN_SMALL = STATES.filter(({ id }) => ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"].includes(id));
 
 const WINDOWS = [
-  ...alike(WINDOW_SIZES.map(({ options }) => ({ ...options, states: STATES }))),
-  ...alike(SMALL.map((viewport) => ({ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }))),
+  ...variants(WINDOW_SIZES.map(({ options }) => ({ ...options, states: STATES }))),
+  ...variants(SMALL.map((viewport) => ({ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }))),
 ];
 
 for (const [{ states, ...options }, tag] of WINDOWS) {

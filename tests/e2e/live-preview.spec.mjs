@@ -213,11 +213,11 @@ function watchFrames() {
     postMessage.call(this, message, ...rest);
     if (message.type !== "follow") return;
     window.following += 1;
-    const hear = ({ data }) => {
+    const onReply = ({ data }) => {
       if (data.id !== message.id) return;
       window.following -= 1;
-      this.removeEventListener("message", hear);
+      this.removeEventListener("message", onReply);
     };
-    this.addEventListener("message", hear);
+    this.addEventListener("message", onReply);
   };
 }

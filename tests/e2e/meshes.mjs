@@ -9,13 +9,13 @@ export const LANDMARKS = 468;
 export const DENSEST = 28_881;
 
 /** Displacement of a vertex from one mesh to another, in the meshes' unit. */
-export function way(from, to, vertex) {
+export function displacement(from, to, vertex) {
   return to.positions[vertex].map((place, axis) => place - from.positions[vertex][axis]);
 }
 
 /** Maximum displacement of a vertex between two meshes. */
-export function furthest(one, other) {
-  return Math.max(...one.positions.map((_, vertex) => Math.hypot(...way(one, other, vertex))));
+export function maxDisplacement(one, other) {
+  return Math.max(...one.positions.map((_, vertex) => Math.hypot(...displacement(one, other, vertex))));
 }
 
 /**
@@ -42,6 +42,6 @@ export function assertSameShape(seen, wanted) {
   assert.equal(seen.units, wanted.units);
   assert.deepEqual(seen.triangles, wanted.triangles);
   assert.equal(seen.positions.length, wanted.positions.length);
-  const apart_mm = furthest(seen, wanted);
+  const apart_mm = maxDisplacement(seen, wanted);
   assert.ok(apart_mm < SAME_MM, `a vertex is ${apart_mm} mm away from the command line's`);
 }

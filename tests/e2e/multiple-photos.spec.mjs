@@ -4,7 +4,7 @@ import { expect } from "@playwright/test";
 import { partsOfGlb } from "./changed-files.mjs";
 import { glbByCommandLine, meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { assertSameShape, furthest } from "./meshes.mjs";
+import { assertSameShape, maxDisplacement } from "./meshes.mjs";
 import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -56,7 +56,7 @@ test("photos from other sides change the mesh like on the command line, are save
   assert.equal((await visitor.history()).length, 1, "the edit was lost");
   await page.click("#toolbar [data-action='undo']");
   const together = await visitor.meshJson("mm");
-  assert.ok(furthest(alone, together) > 0.05, "the mesh has not changed");
+  assert.ok(maxDisplacement(alone, together) > 0.05, "the mesh has not changed");
   assertSameShape(together, await meshByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]));
   const glb = await visitor.download("download-glb");
   const [made, wanted] = [partsOfGlb(glb), partsOfGlb(await glbByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]))];
@@ -125,7 +125,7 @@ test("a photo is removed once, however often its button is pressed, and can be r
   await page.focus("#restore-photo");
   await page.keyboard.press("Enter");
   await untilPhotos(visitor, 3);
-  assert.ok(furthest(together, await visitor.meshJson("mm")) < 1e-6, "the mesh is not that of the same photos");
+  assert.ok(maxDisplacement(together, await visitor.meshJson("mm")) < 1e-6, "the mesh is not that of the same photos");
 
   // Two clicks in one task remove these two photos.
   await page.click('[data-tab-name="shape"]');

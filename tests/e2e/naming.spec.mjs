@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { untilSaved } from "./storage.mjs";
 
 test.use({ visit: { expert: true } });
@@ -30,7 +30,7 @@ test("files are named after the photo, also after a reload and from saved files"
   }
 });
 
-for (const [{ name, says }, tag] of alike([
+for (const [{ name, says }, tag] of variants([
   { name: "image.png", says: "face.rosto" },
   { name: "..", says: "face.rosto" },
   { name: "CON.png", says: "face.rosto" },

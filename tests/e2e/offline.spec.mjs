@@ -1,14 +1,14 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { DIST } from "./server.mjs";
 
 test.use({ visit: { serviceWorkers: "allow" } });
 
 const NOT_NOW = "<!doctype html><title>No</title><p>Not now.";
 
-/** @type {Record<string, import("./server.mjs").Disturbance>} */
+/** @type {Record<string, import("./server.mjs").Interceptor>} */
 const FAULTS = {
   "answers each request with 503": (_, response) => send(response, 503, NOT_NOW),
   "has lost its files": (_, response) => send(response, 404, NOT_NOW),
@@ -19,11 +19,11 @@ const FAULTS = {
   "sends an HTML page for each file": (name, response) => name !== "" && send(response, 200, "<title>Welcome aboard</title>"),
 };
 
-for (const [[what, disturbance], tag] of [[["is unreachable"], []], ...alike(Object.entries(FAULTS))]) {
+for (const [[what, interceptor], tag] of [[["is unreachable"], []], ...variants(Object.entries(FAULTS))]) {
   test(`the stored page works with a server that ${what}`, { tag }, async ({ visitor, page, server }) => {
     await visitor.untilLoaded();
-    server.disturb(disturbance);
-    await page.context().setOffline(!disturbance);
+    server.intercept(interceptor);
+    await page.context().setOffline(!interceptor);
     await page.reload();
     // The browser checks for a new service worker at any time; a reload must work meanwhile.
     await page.evaluate(() => void navigator.serviceWorker.ready.then((kept) => kept.update()).catch(() => {}));
@@ -44,7 +44,7 @@ test("a page of a newer version loads its files from the network, or reports tha
 
   /** @type {string[]} */
   const asked = [];
-  server.disturb((name, response) => {
+  server.intercept((name, response) => {
     asked.push(name);
     return name === "" && send(response, 200, newer);
   });
@@ -63,13 +63,13 @@ test("a page of a newer version loads its files from the network, or reports tha
   // The browser also checks for a new service worker at any time.
   assert.deepEqual(asked.filter((name) => name !== "service-worker.js"), ["js/main.js"]);
 
-  server.disturb((name, response) => (name === "" ? send(response, 200, newer) : name === "words/en.json" && send(response, 503, NOT_NOW)));
+  server.intercept((name, response) => (name === "" ? send(response, 200, newer) : name === "words/en.json" && send(response, 503, NOT_NOW)));
   await page.reload();
   await page.waitForSelector("#not-started");
   assert.equal(visitor.errors.splice(0).length, 1, "the page reports what did not load");
 
   // The older version is still complete.
-  server.disturb(() => true);
+  server.intercept(() => true);
   await page.click("#start-again");
   await page.waitForSelector("body[data-host='open']");
   assert.ok(await page.isHidden("#not-started"));
@@ -77,18 +77,18 @@ test("a page of a newer version loads its files from the network, or reports tha
 
 test("a file that differs from the build is not stored", async ({ open, server }) => {
   const tabs = await readFile(path.join(DIST, "js/page/tabs.js"));
-  server.disturb((name, response) => name === "js/page/tabs.js" && send(response, 200, `${tabs}\n// from another version\n`, "text/javascript"));
+  server.intercept((name, response) => name === "js/page/tabs.js" && send(response, 200, `${tabs}\n// from another version\n`, "text/javascript"));
   const visitor = await open();
   const { page } = visitor;
   const isKept = () => page.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active));
   await visitor.untilLoaded();
   assert.equal(await isKept(), false);
 
-  server.disturb();
+  server.intercept();
   await page.reload();
   await visitor.untilLoaded();
   assert.equal(await isKept(), true);
-  server.disturb(() => true);
+  server.intercept(() => true);
   await page.reload();
   await page.waitForSelector("body[data-host='open']");
 });

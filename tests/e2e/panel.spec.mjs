@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 
 const DESKTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -20,7 +20,7 @@ test("the panel's sections go from photo to sliders, editing by hand and history
   await expect(headings).toHaveText(["Foto", "Proporções", "Expressões", "Mover à mão", "Na foto", "Histórico", "Ajustes avançados"]);
 });
 
-for (const [[device, visit], tag] of alike(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
+for (const [[device, visit], tag] of variants(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
   test(`shape, view and export are tabs with keyboard support and a visible download button, and the photo folds to a row: ${device}`, { tag }, async ({ open }) => {
     const visitor = await open(visit);
     const { page } = visitor;
@@ -99,7 +99,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
   });
 }
 
-for (const [[width, height], tag] of alike([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
+for (const [[width, height], tag] of variants([[1280, 720], [720, 450], [844, 390], [360, 640]])) {
   test(`the list of keys is not cut, starts at its top and can be closed: ${width} × ${height}`, { tag }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;

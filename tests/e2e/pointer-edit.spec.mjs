@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { alike, test } from "./fixtures.mjs";
-import { DENSEST, LANDMARKS, assertSameMesh, furthest, way } from "./meshes.mjs";
+import { variants, test } from "./fixtures.mjs";
+import { DENSEST, LANDMARKS, assertSameMesh, maxDisplacement, displacement } from "./meshes.mjs";
 import { colourCount, difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -31,7 +31,7 @@ test("hovering a landmark highlights and names it, and leaving it clears both", 
   assert.equal(await editor.cursor(), "grab");
 });
 
-for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])) {
+for (const [[density, points], tag] of variants([["0", LANDMARKS], ["3", DENSEST]])) {
   test(`a landmark follows the pointer in the view plane, more slowly with Shift, and shows its influence: ${points} points`, { tag: ["@eyes", ...tag] }, async ({ editor, page }) => {
     await page.selectOption("#density", density, { force: true });
     await editor.findLandmark("nose tip");
@@ -47,15 +47,15 @@ for (const [[density, points], tag] of alike([["0", LANDMARKS], ["3", DENSEST]])
     const around = await editor.toViewPixels({ x: tip.x, y: tip.y - 40 });
     assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the influence is not displayed");
     const moved = await editor.meshJson("mm");
-    const usual = way(start, moved, NOSE_TIP);
+    const usual = displacement(start, moved, NOSE_TIP);
     assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
-    assert.ok(furthest(start, moved) < 1.5 * Math.hypot(...usual), `a vertex went ${furthest(start, moved)} mm`);
+    assert.ok(maxDisplacement(start, moved) < 1.5 * Math.hypot(...usual), `a vertex went ${maxDisplacement(start, moved)} mm`);
     assert.deepEqual(await editor.history(), ["nose tip · 1"]);
 
     await page.keyboard.down("Shift");
     await editor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
     await page.keyboard.up("Shift");
-    const fine = way(moved, await editor.meshJson("mm"), NOSE_TIP);
+    const fine = displacement(moved, await editor.meshJson("mm"), NOSE_TIP);
     assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm, not a tenth of ${usual[1]}`);
     for (let undo = 0; undo < 2; undo++) await page.click("#toolbar [data-action='undo']");
     assert.deepEqual(await editor.meshJson("mm"), start);
@@ -73,7 +73,7 @@ test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@e
     await page.keyboard.press(key);
     await page.mouse.move(tip.x + 20, tip.y - 30, { steps: 3 });
     await page.mouse.up();
-    const along = way(start, await editor.meshJson("mm"), NOSE_TIP);
+    const along = displacement(start, await editor.meshJson("mm"), NOSE_TIP);
     const others = along.filter((_, other) => other !== axis);
     // From the front, the z axis points at the viewer: moving up means nearer.
     assert.ok(along[axis] > 0.5 && Math.hypot(...others) < 1e-9, `${key}: ${along}`);
@@ -117,11 +117,11 @@ test("the wheel changes the influence radius during a drag, which stays one edit
   for (const [shot, picture] of pictures.slice(1).entries()) assert.ok(difference(pictures[shot], picture) > 0);
   assert.equal((await editor.history()).length, 1);
   const after = await editor.meshJson("mm");
-  assert.ok(way(start, after, NOSE_TIP)[1] > 1);
+  assert.ok(displacement(start, after, NOSE_TIP)[1] > 1);
   // Geodesic distances are at least as long as straight ones, so these vertices are outside the influence radius.
   for (const [vertex, place] of start.positions.slice(0, LANDMARKS).entries()) {
     const apart_mm = Math.hypot(...place.map((at, axis) => at - start.positions[NOSE_TIP][axis]));
-    const moved_mm = Math.hypot(...way(start, after, vertex));
+    const moved_mm = Math.hypot(...displacement(start, after, vertex));
     if (apart_mm > radii_mm[2]) assert.ok(moved_mm < 1e-6, `vertex ${vertex}, ${apart_mm} mm away, moved by ${moved_mm} mm`);
   }
 });
@@ -131,7 +131,7 @@ test("with mirroring the other side follows, and the symmetry plane is drawn dur
   const start = await editor.meshJson("mm");
   await editor.setOffset("x", -4);
   const apart = await editor.meshJson("mm");
-  const [right, left] = MOUTH_CORNERS.map((corner) => way(start, apart, corner)[0]);
+  const [right, left] = MOUTH_CORNERS.map((corner) => displacement(start, apart, corner)[0]);
   assert.ok(Math.abs(right + 4) < 1e-9 && Math.abs(left - 4) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
 
@@ -151,7 +151,7 @@ test("with mirroring the other side follows, and the symmetry plane is drawn dur
   await page.uncheck("#mirror");
   assert.equal(await whileDragging(), 0, "the symmetry plane is drawn without mirroring");
   await editor.setOffset("x", -4);
-  assert.ok(Math.abs(way(start, await editor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
+  assert.ok(Math.abs(displacement(start, await editor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
 });
 
 test("Alt and a click pin a landmark, which then stays in place, and unpin it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
@@ -166,7 +166,7 @@ test("Alt and a click pin a landmark, which then stays in place, and unpin it", 
   assert.ok(difference(unpinned, await editor.view()) > 0, "no pin is drawn");
   const start = await editor.meshJson("mm");
   await editor.setOffset("y", -5);
-  assert.ok(Math.hypot(...way(start, await editor.meshJson("mm"), MOUTH_CORNERS[0])) < 1e-9);
+  assert.ok(Math.hypot(...displacement(start, await editor.meshJson("mm"), MOUTH_CORNERS[0])) < 1e-9);
   await page.mouse.click(corner.x, corner.y);
   await page.keyboard.up("Alt");
   assert.ok(!(await editor.anchors()).includes(MOUTH_CORNERS[0]));

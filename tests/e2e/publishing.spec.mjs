@@ -84,7 +84,7 @@ test("a local build can be compared with the published page", async ({ server })
   const compared = () => run("node", [COMPARE, server.url, DIST]).then(({ stdout }) => stdout, ({ stdout }) => stdout);
   assert.match(await compared(), /all \d+ files are identical/);
   const worker = String(await readFile(path.join(DIST, "js/worker/vision-worker.js")));
-  server.disturb((name, response) => name === "js/worker/vision-worker.js" && Boolean(response.end(`${worker}\n`)));
+  server.intercept((name, response) => name === "js/worker/vision-worker.js" && Boolean(response.end(`${worker}\n`)));
   assert.match(await compared(), /✗ js\/worker\/vision-worker\.js/);
 });
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { assertSameMesh, way } from "./meshes.mjs";
+import { assertSameMesh, displacement } from "./meshes.mjs";
 import { difference } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -45,14 +45,14 @@ test("a region's landmarks are marked, and it can be dragged by each of them and
   await editor.drag(noseTip, { x: 0, y: -24 });
   assert.deepEqual(await editor.history(), ["nose"]);
   const lifted = await editor.meshJson("mm");
-  const [tip, wing, chin] = [NOSE_TIP, 64, CHIN].map((landmark) => way(start, lifted, landmark));
+  const [tip, wing, chin] = [NOSE_TIP, 64, CHIN].map((landmark) => displacement(start, lifted, landmark));
   assert.ok(tip[1] > 1 && Math.abs(tip[1] - wing[1]) < 1e-9, `${tip} and ${wing}`);
   assert.ok(Math.hypot(...chin) < tip[1] / 2, `the chin moved along: ${chin}`);
 
   const middle = await editor.selectionPosition();
   await editor.drag({ x: middle.x, y: middle.y - 50 }, { x: 30, y: 20 });
   assert.deepEqual(await editor.history(), ["nose", "nose"]);
-  const along = way(lifted, await editor.meshJson("mm"), NOSE_TIP);
+  const along = displacement(lifted, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
 });
 

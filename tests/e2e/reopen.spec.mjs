@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { glbOf } from "./changed-files.mjs";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { assertRestored } from "./meshes.mjs";
 import { colourCount, meanStep } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
 
-for (const [paint, tag] of alike(["photo", "colours"])) {
+for (const [paint, tag] of variants(["photo", "colours"])) {
   test(`a GLB with base colour ${paint} restores face and history after a reload`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
     const unedited = await editor.meshJson("mm");
     await editor.move("nose tip", "z", 9);

@@ -1,13 +1,13 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { chooseFace, openGroup } from "./groups.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { viewport: { width: 1024, height: 480 }, hasClock: true } });
 
-for (const [[what, fileOf], tag] of alike(/** @type {const} */ ([
+for (const [[what, fileOf], tag] of variants(/** @type {const} */ ([
   ["photo", async ({ page }) => ({ bytes: await asJpeg(page, await readFile(SAMPLE)), name: "new.jpg" })],
   ["project", async (editor) => ({ bytes: await editor.download("save-project"), name: "new.rosto" })],
   ["GLB", async (editor) => ({ bytes: await editor.download("download-glb"), name: "new.glb" })],

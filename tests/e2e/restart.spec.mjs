@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 import { meanStep } from "./pixels.mjs";
 import { trapIn } from "./page-scripts.mjs";
 
 test.use({ visit: { expert: true } });
 
-for (const [{ drawn, needs, module }, tag] of alike([
+for (const [{ drawn, needs, module }, tag] of variants([
   { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
   { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
 ])) {

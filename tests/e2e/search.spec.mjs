@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 
 test.use({ visit: { expert: true } });
 
@@ -28,7 +28,7 @@ const FOUND = {
   ],
 };
 
-for (const [[language, queries], tag] of alike(Object.entries(FOUND))) {
+for (const [[language, queries], tag] of variants(Object.entries(FOUND))) {
   test(`a search finds the best match, ignoring case and accents: ${language}`, { tag }, async ({ editor, page }) => {
     await editor.setLanguage(language);
     for (const [typed, meant] of queries) {

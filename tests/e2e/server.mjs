@@ -21,21 +21,21 @@ const TYPES = {
 /**
  * Serves a folder below a path, with the headers of its `_headers` file, as a static host does.
  *
- * @typedef {(name: string, response: import("node:http").ServerResponse) => boolean} Disturbance handles a request for a
+ * @typedef {(name: string, response: import("node:http").ServerResponse) => boolean} Interceptor handles a request for a
  *   file ("" for the page); returns true if it answers the request itself
  *
  * @param {string} folder
  * @param {string} below for example "/some/path/"
  */
 export async function serve(folder, below) {
-  /** @type {Disturbance | undefined} */
-  let disturbance;
+  /** @type {Interceptor | undefined} */
+  let interceptor;
   const headers = await headersIn(folder);
   let served = folder;
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
     for (const [name, value] of headers) response.setHeader(name, value);
-    if (disturbance?.(pathname.slice(below.length), response)) return;
+    if (interceptor?.(pathname.slice(below.length), response)) return;
     const file = path.join(served, decodeURIComponent(pathname.slice(below.length)) || "index.html");
     const found = await stat(file).catch(() => undefined);
     if (!pathname.startsWith(below) || !found?.isFile()) return response.writeHead(404).end();
@@ -45,8 +45,8 @@ export async function serve(folder, below) {
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   return {
-    /** @param {Disturbance} [by] undefined restores normal service */
-    disturb: (by) => (disturbance = by),
+    /** @param {Interceptor} [by] undefined restores normal service */
+    intercept: (by) => (interceptor = by),
     /** @param {string} next folder to serve from now on */
     deploy: (next) => (served = next),
     url: `http://127.0.0.1:${server.address().port}${below}`,

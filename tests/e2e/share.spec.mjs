@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { crashGpu, recordGpus } from "./page-scripts.mjs";
 
@@ -98,7 +98,7 @@ test("the face swings once in a four-second video without tools, and the view is
   assert.equal(accents(first), 0, "a tool is visible in the video");
 });
 
-for (const [{ by, stop }, tag] of alike([
+for (const [{ by, stop }, tag] of variants([
   { by: "Escape", stop: (/** @type {import("@playwright/test").Page} */ page) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("@playwright/test").Page} */ page) => page.click("#clip") },
 ])) {

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { delayFile } from "./delayed-file.mjs";
 
 /** Responses that leave the page without a module. */
@@ -48,7 +48,7 @@ test("a notice appears while modules do not arrive, and disappears when they do"
   await page.waitForSelector("#not-started", { state: "hidden" });
 });
 
-for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read", blockStorage], ["is full", fillStorage]]))) {
+for (const [[what, block], tag] of variants(/** @type {const} */ ([["cannot be read", blockStorage], ["is full", fillStorage]]))) {
   test(`with storage that ${what} the page works, without remembering choices`, { tag }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", scripts: [block] });
     const { page } = visitor;
@@ -67,7 +67,7 @@ for (const [[what, block], tag] of alike(/** @type {const} */ ([["cannot be read
   });
 }
 
-for (const [status, tag] of alike([404, "unreachable"])) {
+for (const [status, tag] of variants([404, "unreachable"])) {
   test(`if the sample is ${status}, a notice appears and a retry works`, { tag }, async ({ open }) => {
     const visitor = await open({
       before: (context) => context.route("**/assets/sample.png", (route) => (status === "unreachable" ? route.abort() : route.fulfill({ status }))),

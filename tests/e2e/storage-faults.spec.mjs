@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { alike, test } from "./fixtures.mjs";
+import { variants, test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
 import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 
@@ -31,7 +31,7 @@ test("if the quota is exceeded on commit, a notice says once that work is not sa
   assert.deepEqual(await visitor.work(), next);
 });
 
-for (const [[what, remove], tag] of alike(/** @type {const} */ ([
+for (const [[what, remove], tag] of variants(/** @type {const} */ ([
   ["is deleted", (page) => page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())))],
   ["loses the face", (page) => changeStorage(page, ({ faces }) => faces.clear())],
   ["loses the edits", (page) => changeStorage(page, ({ done }) => done.clear())],
@@ -95,7 +95,7 @@ for (const [what, isLost, found] of /** @type {const} */ ([
   });
 }
 
-for (const [[what, block], tag] of alike(/** @type {const} */ ([
+for (const [[what, block], tag] of variants(/** @type {const} */ ([
   ["blocks the database", blockDatabase],
   ["has an endless transaction", blockStores],
 ]))) {

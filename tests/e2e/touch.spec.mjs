@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { findings } from "./boxes.mjs";
 import { test } from "./fixtures.mjs";
-import { way } from "./meshes.mjs";
+import { displacement } from "./meshes.mjs";
 
 const NOSE_TIP = 1;
 const LOWER_LIP = 17;
@@ -41,7 +41,7 @@ test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) =>
   const before = await editor.meshJson("mm");
   await stroke(send, [tip], shifted([tip], 30, -30));
   assert.deepEqual(await editor.history(), ["nose tip"]);
-  const went = way(before, await editor.meshJson("mm"), NOSE_TIP);
+  const went = displacement(before, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(went[0] > 2 && went[1] > 2, `it went by ${went}`);
 
   // Next to the gizmo's upward arm, where a touch is unambiguous.
@@ -49,7 +49,7 @@ test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) =>
   const arm = shifted([await editor.tagPosition()], 14, -52);
   const lifted = await editor.meshJson("mm");
   await stroke(send, arm, shifted(arm, 30, -30));
-  const along = way(lifted, await editor.meshJson("mm"), NOSE_TIP);
+  const along = displacement(lifted, await editor.meshJson("mm"), NOSE_TIP);
   assert.ok(along[1] > 2 && Math.hypot(along[0], along[2]) < 1e-9, `it went by ${along}`);
 });
 

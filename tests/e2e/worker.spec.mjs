@@ -71,7 +71,7 @@ test("a worker on a slow connection does not time out", async ({ open, server })
   const piece_bytes = Math.ceil(bytes.length / 100);
   /** @type {import("node:http").ServerResponse | undefined} */
   let response;
-  server.disturb((name, answer) => {
+  server.intercept((name, answer) => {
     if (name !== module) return false;
     response = answer.writeHead(200, { "content-type": "application/wasm", "content-length": bytes.length });
     return true;
