@@ -8,7 +8,7 @@
  */
 export function byId(id, type) {
   const element = document.getElementById(id);
-  if (!(element instanceof type)) throw new Error(`the page has no ${type.name} #${id}`);
+  if (!(element instanceof type)) throw new Error(`no ${type.name} with id "${id}"`);
   return element;
 }
 

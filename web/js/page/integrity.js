@@ -118,7 +118,7 @@ async function loadList() {
  */
 async function fetchFile({ name, defaultUrl }, cache, onResponse) {
   const answer = await fetch(fileUrl(name, defaultUrl), { cache });
-  if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
+  if (!answer.ok) throw new Error(`${name}: HTTP status ${answer.status}`);
   onResponse?.(answer);
   return answer;
 }

@@ -6,7 +6,7 @@ import { Slider } from "./slider.js";
  * @typedef {import("../viewport/host.js").StudioState} StudioState
  */
 
-/** The options of an edit that are not lists: symmetry, influence radius, fixed points. */
+/** The options of an edit that are not lists: symmetry, influence radius, pins and marks. */
 export class EditOptions {
   #mirror = byId("mirror", HTMLInputElement);
   #nearby = byId("nearby", HTMLInputElement);

@@ -10,7 +10,7 @@ import { Slider } from "./slider.js";
  * @typedef {import("../viewport/host.js").StudioTick} StudioTick
  */
 
-/** Above this number, the panel shows only the count of fixed points. */
+/** Above this number, the panel shows only the count of anchors. */
 const NAMED_ANCHORS = 6;
 const AXES = /** @type {const} */ (["x", "y", "z"]);
 

@@ -14,7 +14,7 @@ import { Stopwatch } from "./stopwatch.js";
  * @typedef {"bent" | "stretch" | "flipped" | "smooth" | "timeMs"} Measure
  */
 
-/** Random selections of vertices and constraints per method. The first equals the command line's first run. */
+/** Random selections of handles and anchors per method. The first equals the command line's first run. */
 const RUNS = 5;
 const SEED = 0;
 

@@ -113,7 +113,7 @@ export class PhotosPanel {
     const row = make("li");
     const canvas = make("canvas");
     canvas.setAttribute("aria-hidden", "true");
-    draw(canvas, photo).catch((error) => console.warn("a photo is not shown:", error));
+    draw(canvas, photo).catch((error) => console.warn("cannot draw a thumbnail:", error));
     const remove = make("button", "icon-button");
     remove.type = "button";
     remove.append(makeIcon("close"));

@@ -13,13 +13,13 @@ import { chosen, hasLength, printChoices } from "./file-choices.js";
  * @typedef {Pick<PrintedBody, "volumeCm3" | "sizeMm" | "thinnestMm" | "movedMm" | "plaGrams">} Body
  */
 
-/** Debounce delay: computing a solid takes time. */
+/** Debounce delay: computing a body takes time. */
 const DEBOUNCE_MS = 250;
 
 /** Rounding below this is not visible, in mm. */
 const VISIBLE_MM = 0.05;
 
-/** Print options, the measurements of the solid, and the reason if it cannot be made. */
+/** Print options, the measurements of the body, and the reason if it cannot be made. */
 export class PrintPanel {
   #host;
   #fold = byId("export-print", HTMLDetailsElement);

@@ -1,7 +1,7 @@
 /** @typedef {{ left: number, top: number, right: number, bottom: number }} Box CSS px from the stage's top left */
 
 /** Distance of the name from its point and from the stage's edge, in CSS px. */
-const BESIDE_PX = 14;
+const SIDE_PX = 14;
 const BELOW_PX = 12;
 const MARGIN_PX = 8;
 
@@ -23,8 +23,8 @@ export function placeTag(tag, point, face) {
   const fitsBelow = face.bottom + MARGIN_PX + height < stage.height;
   const x = isAtChin && !fitsBelow ? Math.max(point.x, face.right) : point.x;
   const y = isAtChin && fitsBelow ? face.bottom + MARGIN_PX : point.y + BELOW_PX;
-  const fitsRight = x + BESIDE_PX + width + MARGIN_PX <= stage.width;
-  const left = fitsRight ? x + BESIDE_PX : Math.min(x - BESIDE_PX, stage.width - MARGIN_PX) - width;
+  const fitsRight = x + SIDE_PX + width + MARGIN_PX <= stage.width;
+  const left = fitsRight ? x + SIDE_PX : Math.min(x - SIDE_PX, stage.width - MARGIN_PX) - width;
   const top = clamp(y, MARGIN_PX, stage.height - height - MARGIN_PX);
   tag.style.translate = `${Math.round(Math.max(MARGIN_PX, left))}px ${Math.round(top)}px`;
 }

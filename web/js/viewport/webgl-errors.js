@@ -13,7 +13,7 @@ export function watchWebGl(canvas) {
     if (!context) return;
     if (context.isContextLost()) throw { code: "not-drawn", message: "the WebGL2 context was lost", hint: "" };
     const error = context.getError();
-    if (error === context.OUT_OF_MEMORY) throw { code: "no-memory", message: "WebGL2 has no memory for the picture", hint: "" };
+    if (error === context.OUT_OF_MEMORY) throw { code: "no-memory", message: "WebGL2 ran out of memory for the picture", hint: "" };
     if (error !== context.NO_ERROR) throw { code: "not-drawn", message: `WebGL2 error ${error}`, hint: "" };
   };
 }

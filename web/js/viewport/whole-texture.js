@@ -98,7 +98,7 @@ export class WholeTexture {
     const plan = this.#host.ask((studio) => studio.texturePlan());
     if (!plan) return;
     const { face, side_px } = wanted;
-    // The primary photo comes first, as in the plan.
+    // The lead photo comes first, as in the plan.
     const pictures = [face, ...(face.further ?? [])].map(pixelsOf);
     const pixels = await this.#vision.texture({ plan, pictures, side_px });
     const isWanted = () => this.#latest === wanted && isSame(this.#wanted(), wanted);
