@@ -177,7 +177,7 @@ async function measured(page) {
 /** The same measurements from the command line's output. @param {string} log */
 function measuresIn(log) {
   const [, volume, size, mass, thinnest] = /a body of ([\d.]+) cm³, (.*) mm, (\d+) g .*; ([\d.]+) mm/.exec(log) ?? [];
-  const [, rounded] = /rounded off by up to ([\d.]+) mm/.exec(log) ?? [];
+  const [, rounded] = /smoothed by up to ([\d.]+) mm/.exec(log) ?? [];
   if (!volume) return [];
   return [`${size} mm`, `${volume} cm³`, `${mass} g`, `${thinnest} mm`, ...(Number(rounded) > 0 ? [`${rounded} mm`] : [])];
 }
