@@ -12,7 +12,12 @@ const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target");
 /** The page's default edit options, as options of `rosto mesh`. */
 export const PAGE_EDIT_OPTIONS = "--units mm --topology canonical --operator cotangent --constraint exact --anchors oval --radius 25 --mirror".split(" ");
 
-/** The command line's mesh of a photo, as JSON. @param {string} photo @param {string[]} options options of `rosto mesh` */
+/**
+ * The command line's mesh of a photo, as JSON.
+ *
+ * @param {string} photo
+ * @param {string[]} options options of `rosto mesh`
+ */
 export async function meshByCommandLine(photo, options) {
   return JSON.parse((await fileByCommandLine("mesh", photo, "made.json", options)).toString());
 }

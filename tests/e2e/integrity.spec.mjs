@@ -55,7 +55,11 @@ test("after one damaged response the file is requested again without a notice", 
   assert.ok(await visitor.page.isHidden("#notice"));
 });
 
-/** Makes the server flip one bit of a file in the first `times` responses. @returns {Promise<string[]>} one entry per request */
+/**
+ * Makes the server flip one bit of a file in the first `times` responses.
+ *
+ * @returns {Promise<string[]>} one entry per request
+ */
 async function damage(server, file, times = Infinity) {
   const bytes = await readFile(path.join(DIST, file));
   // In a module's data, a network's weights, or a hash of the list, where only the integrity check detects it.

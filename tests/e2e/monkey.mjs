@@ -1,4 +1,5 @@
-// Monkey test of the built page: node tests/e2e/monkey.mjs [--runs N] [--actions MAX] [--seed S] [--path P] [--replay R].
+// Monkey test of the built page:
+// node tests/e2e/monkey.mjs [--runs N] [--actions MAX] [--seed S] [--path P] [--replay R]
 // On two cores, two lanes share the runs. fast-check shrinks a failure and prints the seed, path and replay path that
 // reproduce it.
 import { availableParallelism } from "node:os";
@@ -11,7 +12,11 @@ import { DIST, serve } from "./server.mjs";
 
 const SHRINKING_MS = 300_000;
 
-/** @typedef {{ runs: number, actions: number, seed: number, path?: string, replay?: string }} Amount `actions`: maximum per run */
+/**
+ * `actions` is the maximum per run.
+ *
+ * @typedef {{ runs: number, actions: number, seed: number, path?: string, replay?: string }} Amount
+ */
 
 /** @param {Amount} amount @returns {Promise<number>} number of actions performed */
 export async function monkeyTest({ runs, actions, seed, path, replay }) {

@@ -93,7 +93,12 @@ test("a file that differs from the build is not stored", async ({ open, server }
   await page.waitForSelector("body[data-host='open']");
 });
 
-/** @param {import("node:http").ServerResponse} response @param {number} status @param {string} text @param {string} [type] */
+/**
+ * @param {import("node:http").ServerResponse} response
+ * @param {number} status
+ * @param {string} text
+ * @param {string} [type]
+ */
 function send(response, status, text, type = "text/html; charset=utf-8") {
   return Boolean(response.writeHead(status, { "content-type": type }).end(text));
 }

@@ -28,7 +28,13 @@ async function install() {
   await cp(SAMPLE, path.join(SITE, "portrait.png"));
 }
 
-/** Output of tsc for a module that uses the installed package. @param {string} name @param {string} text @param {string[]} options */
+/**
+ * Output of tsc for a module that uses the installed package.
+ *
+ * @param {string} name
+ * @param {string} text
+ * @param {string[]} options
+ */
 export async function tscOutput(name, text, options) {
   await installed();
   await writeFile(path.join(SITE, name), text);

@@ -75,7 +75,11 @@ async function editAndSave(visitor, action) {
   return visitor.download(action);
 }
 
-/** @param {import("./visitor.mjs").Visitor} visitor @param {{ name: string, codes: string[], file: Buffer }[]} bad @param {string} fileName */
+/**
+ * @param {import("./visitor.mjs").Visitor} visitor
+ * @param {{ name: string, codes: string[], file: Buffer }[]} bad
+ * @param {string} fileName
+ */
 async function expectRefused(visitor, bad, fileName) {
   const { page } = visitor;
   const work = await visitor.meshJson("mm");

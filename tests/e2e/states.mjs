@@ -39,7 +39,11 @@ export const STATES = [
   { id: "returning", enter: returnToStart },
 ];
 
-/** Allows the worker's reply to be delayed; pass it as `before`. @param {import("@playwright/test").BrowserContext} context */
+/**
+ * Allows the worker's reply to be delayed; pass it as `before`.
+ *
+ * @param {import("@playwright/test").BrowserContext} context
+ */
 export function allowDelayedReplies(context) {
   return context.addInitScript(delayReplies);
 }

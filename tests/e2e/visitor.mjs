@@ -311,13 +311,24 @@ export class Visitor {
     await this.#enter(`#landmark-sliders [data-axis="${axis}"]`, offset_mm);
   }
 
-  /** Moves a landmark along an axis. @param {string} landmark @param {"x" | "y" | "z"} axis @param {number} offset_mm */
+  /**
+   * Moves a landmark along an axis.
+   *
+   * @param {string} landmark
+   * @param {"x" | "y" | "z"} axis
+   * @param {number} offset_mm
+   */
   async move(landmark, axis, offset_mm) {
     await this.findLandmark(landmark);
     await this.setOffset(axis, offset_mm);
   }
 
-  /** Sets a proportion slider by its number field. @param {string} slider id such as "nose-width" @param {number} amount_mm */
+  /**
+   * Sets a proportion slider by its number field.
+   *
+   * @param {string} slider id such as "nose-width"
+   * @param {number} amount_mm
+   */
   async setSlider(slider, amount_mm) {
     await this.unfold("section-face");
     await this.#enter(`[data-slider="${slider}"]`, amount_mm);

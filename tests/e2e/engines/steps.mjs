@@ -29,7 +29,13 @@ export async function until(driver, condition, what) {
   await driver.wait(holds, WAIT_MS, `${what} did not appear`);
 }
 
-/** Drags from the middle of an element. @param {WebDriver} driver @param {string} selector @param {{ x: number, y: number }} by CSS px */
+/**
+ * Drags from the middle of an element.
+ *
+ * @param {WebDriver} driver
+ * @param {string} selector
+ * @param {{ x: number, y: number }} by CSS px
+ */
 export async function drag(driver, selector, by) {
   const actions = driver.actions().move({ origin: await driver.findElement(By.css(selector)), duration: 0 }).press();
   for (let step = 0; step < STEPS; step++) {

@@ -118,7 +118,11 @@ async function use({ page }, { group, control, from, to, number, text, leaving, 
   return `${kind} “${label}”`;
 }
 
-/** @param {import("@playwright/test").Page} page @param {string | undefined} text @param {(string | undefined)[]} keys */
+/**
+ * @param {import("@playwright/test").Page} page
+ * @param {string | undefined} text
+ * @param {(string | undefined)[]} keys
+ */
 async function enter(page, text, ...keys) {
   await page.evaluate(() => window["monkey"].enter());
   if (text === "") await page.keyboard.press("Delete");

@@ -73,7 +73,12 @@ export class Visit {
     await this.page.waitForSelector("#progress", { state: "hidden", timeout: OPENING_MS }).catch(() => {});
   }
 
-  /** Resumes the saved work if it is offered in time. @param {number} limit_ms @returns {Promise<boolean>} whether it was */
+  /**
+   * Resumes the saved work if it is offered in time.
+   *
+   * @param {number} limit_ms
+   * @returns {Promise<boolean>} whether it was
+   */
   async resume(limit_ms) {
     const offer = "#continue:not([hidden])";
     await this.page.waitForSelector(offer, { timeout: limit_ms, state: "attached" }).catch(() => {});

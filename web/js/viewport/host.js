@@ -283,7 +283,9 @@ export class Host {
     this.#notifyTick();
   }
 
-  /** Updates the edited photo. The factorisation and the listeners run in separate tasks to keep the page responsive. */
+  /**
+   * Updates the edited photo. The factorisation and the listeners run in separate tasks to keep the page responsive.
+   */
   async updatePhoto() {
     if (this.#photoIsPending) return;
     this.#photoIsPending = true;
