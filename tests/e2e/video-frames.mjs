@@ -1,6 +1,5 @@
 // A video of the sample portrait's head over a still background, frame by frame. Works in pages and in Node, so that
-// both
-// get the same pixels.
+// both get the same pixels.
 
 export const WIDTH_PX = 640;
 export const HEIGHT_PX = 480;
