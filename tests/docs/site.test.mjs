@@ -17,7 +17,7 @@ async function page(name) {
   return parse(await readFile(join(SITE, `${name}.html`), "utf8"));
 }
 
-test("every text of the documentation is a page, and no page has a script, a style or a file from elsewhere", async () => {
+test("each Markdown file of the documentation is a page without scripts, inline styles or external files", async () => {
   const files = await readdir(join(ROOT, "docs"), { recursive: true });
   const texts = files.filter((path) => path.endsWith(".md")).map((path) => `docs/${path}`);
   const sources = PAGES.map(({ source }) => source);
@@ -34,7 +34,7 @@ test("every text of the documentation is a page, and no page has a script, a sty
   }
 });
 
-test("the paper's seven equations are mathematics, and none is left as it was written", async () => {
+test("the seven equations of the paper are rendered as MathML", async () => {
   const maths = await page("maths");
   const numbers = maths.querySelectorAll('math[display="block"]').flatMap((equation) => /\((\d)\)/.exec(equation.textContent)?.[1] ?? []);
   assert.deepEqual(numbers, ["1", "2", "3", "4", "5", "6", "7"]);
@@ -42,7 +42,7 @@ test("the paper's seven equations are mathematics, and none is left as it was wr
   assert.ok(!maths.querySelector("main")?.textContent.includes("$"));
 });
 
-test("the references have every command and every public name", async () => {
+test("the references list each command and each public name", async () => {
   const commands = await page("command-line");
   assert.deepEqual(commands.querySelectorAll("main h2").map((each) => each.textContent), ["landmarks", "mesh", "photo", "paper"].map((name) => `rosto ${name}`));
   const options = commands.querySelectorAll("li > code, li > p > code").map((each) => each.textContent);
@@ -53,12 +53,12 @@ test("the references have every command and every public name", async () => {
   assert.deepEqual(names.toSorted(), all.toSorted());
 });
 
-test("a link to what the site does not have is text there, and a page's leads to the page", () => {
+test("a link to a file outside the site becomes text", () => {
   const made = html(reader(), "[a](a.md#b) [c](c.rs) ![d](d.png)", (address) => (address.startsWith("c") ? undefined : `x/${address}`));
   assert.equal(made.trim(), '<p><a href="x/a.md#b">a</a> <span>c</span> <img src="x/d.png" alt="d"></p>');
 });
 
-test("what a program says of itself keeps its words, whatever they hold", () => {
+test("help text with Markdown characters is shown verbatim", () => {
   const made = html(reader(), helpAsMarkdown("Usage: x <A>\n\nOptions:\n      --b <C>\n          A_b *c* <d> $e$\n"), () => undefined);
   const shown = parse(made);
   assert.deepEqual(shown.querySelectorAll("li code").map((each) => each.textContent), ["--b <C>"]);

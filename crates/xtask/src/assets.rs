@@ -15,7 +15,7 @@ const PORTRAIT_SHA256: &str = "88431cd9653ccd539741b555fb0a46b61558b301d4110412b
 const PORTRAIT_WHEEL: &str = "--python-version=3.11 --platform=manylinux2014_x86_64 scikit-image==0.25.2";
 const UNPACK: &str = "import glob, sys, zipfile; zipfile.ZipFile(glob.glob('*.whl')[0]).extract(sys.argv[1])";
 
-/// Downloads or builds what is missing.
+/// Downloads or builds missing files.
 pub fn obtain() -> Result<()> {
     npm()?;
     networks()?;
