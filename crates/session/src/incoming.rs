@@ -12,7 +12,7 @@ pub const MAX_SHOWN_DENSITY: u32 = 3;
 /// Maximum length of a history.
 pub const MAX_ENTRIES: usize = 100_000;
 
-/// Data from which a face opens: what was detected in a photo and, for earlier work, the edits.
+/// Data from which a face opens: the detection in a photo and, for earlier work, the edits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Incoming {
     /// MediaPipe's normalised landmarks: 468, or 478 with the irises.

@@ -27,7 +27,7 @@ pub enum Intent {
     Select(Option<Selection>),
     /// Selects the vertex, or the smallest region around it; repeating selects the next larger region.
     SelectAt(u32),
-    /// Selects what is at a position; clears the selection outside the face.
+    /// Selects at a position, like `SelectAt`; clears the selection outside the face.
     SelectUnder(DVec2),
     /// Pins or unpins the selection. Pins stay in place while other vertices move.
     Pin(Switch),

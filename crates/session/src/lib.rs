@@ -1,4 +1,4 @@
-//! A user's session: what is open, set, selected and displayed, and the actions on it.
+//! A user's session: the open face, settings, selection and view, and the actions on them.
 //!
 //! A [`Session`] is plain data, independent of browser and GPU. Each user action is an [`Intent`]. [`Session::apply`]
 //! applies an intent completely or not at all and returns what [`Changed`]. The caller then reads [`State`], [`Tick`]

@@ -38,7 +38,7 @@ impl Studio {
         self.act(Intent::SelectAt(vertex))
     }
 
-    /// Selects what is at a position on the canvas; clears the selection outside the face.
+    /// Selects at a position on the canvas; clears the selection outside the face.
     #[wasm_bindgen(js_name = selectUnder)]
     pub fn select_under(
         &mut self,

@@ -44,7 +44,7 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    /// Selects what is under the pointer; clears the selection outside the face.
+    /// Selects under the pointer; clears the selection outside the face.
     pub(super) fn select_under(&mut self, position_px: DVec2) -> Result {
         match self.vertex_at(position_px) {
             Some(vertex) => self.select_at(vertex),

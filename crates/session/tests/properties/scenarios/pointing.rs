@@ -114,7 +114,7 @@ fn is_grabbed(session: &mut Session, position_px: DVec2, pointer: Pointer) -> Op
 }
 
 #[test]
-fn a_press_grabs_what_is_highlighted_in_each_mode() {
+fn a_press_grabs_the_highlighted_vertex_in_each_mode() {
     for (mode, density) in [
         (SelectionMode::Landmark, 0),
         (SelectionMode::Landmark, 1),
