@@ -75,7 +75,9 @@ pub(crate) fn check(subject: &Subject<'_>, shots: &[Shot<'_>], side_px: u32) -> 
     check_vertices("partners", subject.partners, vertex_count)?;
     subject.features.iter().try_for_each(|feature| check_vertices("features", feature, vertex_count))?;
     let of_photos = shots.iter().map(|shot| shot.uvs);
-    of_photos.into_iter().try_for_each(|uvs| check_values("positions in a photo", uvs, vertex_count, |uv| uv.is_finite()))
+    of_photos
+        .into_iter()
+        .try_for_each(|uvs| check_values("positions in a photo", uvs, vertex_count, |uv| uv.is_finite()))
 }
 
 fn check_values<T>(

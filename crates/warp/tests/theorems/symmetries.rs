@@ -45,8 +45,8 @@ fn the_warp_is_invariant_under_translation() {
         let points = oval(&mut seeded);
         let targets = edited(&points, 9.0, &mut seeded);
         let shifted = |positions: &[DVec2]| positions.iter().map(|position| *position + shift).collect::<Vec<_>>();
-        let there = outcome(&framed(&photo), &shifted(&points), &shifted(&targets));
-        let here = framed(&outcome(&photo, &points, &targets));
+        let there = warped(&framed(&photo), &shifted(&points), &shifted(&targets));
+        let here = framed(&warped(&photo, &points, &targets));
         assert!(most_different(&there, &here) <= 1, "edit {seed}: {}", most_different(&there, &here));
     }
 }
@@ -65,10 +65,10 @@ fn the_warp_commutes_with_mirroring() {
             |positions: &[DVec2]| positions.iter().map(|at| DVec2::new(size - at.x, at.y)).collect::<Vec<_>>();
         let places_down =
             |positions: &[DVec2]| positions.iter().map(|at| DVec2::new(at.x, size - at.y)).collect::<Vec<_>>();
-        let here = outcome(&photo, &points, &targets);
-        let there = outcome(&across(&photo), &places_across(&points), &places_across(&targets));
+        let here = warped(&photo, &points, &targets);
+        let there = warped(&across(&photo), &places_across(&points), &places_across(&targets));
         assert!(most_different(&across(&there), &here) <= 1, "{}", most_different(&across(&there), &here));
-        let there = outcome(&down(&photo), &places_down(&points), &places_down(&targets));
+        let there = warped(&down(&photo), &places_down(&points), &places_down(&targets));
         assert!(most_different(&down(&there), &here) <= 1, "{}", most_different(&down(&there), &here));
     }
 }
