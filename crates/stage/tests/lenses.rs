@@ -254,7 +254,7 @@ fn changing_the_lens_glides_and_keeps_the_size() {
 
 /// Asserts that `to` is `from` uniformly scaled and shifted; by `scale`, if given.
 fn assert_affine(from: &[DVec2], to: &[DVec2], scale: Option<f64>, within_px: f64) {
-    let mean = |places: &[DVec2]| places.iter().sum::<DVec2>() / places.len() as f64;
+    let mean = |positions: &[DVec2]| positions.iter().sum::<DVec2>() / positions.len() as f64;
     let (from_mean, to_mean) = (mean(from), mean(to));
     let pairs = || from.iter().zip(to).map(|(a, b)| (*a - from_mean, *b - to_mean));
     let fitted = pairs().map(|(a, b)| a.dot(b)).sum::<f64>() / pairs().map(|(a, _)| a.length_squared()).sum::<f64>();

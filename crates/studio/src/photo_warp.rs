@@ -30,17 +30,17 @@ pub struct PhotoWarp {
 
 impl PhotoWarp {
     /// Creates the warp for a document's displayed mesh. `falloff_band` is a share of the face's longer side within
-    /// [`FALLOFF_BAND_SHARES`]. The photo does not move under `kept`, in its px.
+    /// [`FALLOFF_BAND_SHARES`]. The photo does not move under `protected`, in its px.
     ///
     /// # Errors
     /// [`StudioError::Warp`] if too little of the face lies in its photo.
-    pub fn new(face: &FaceModel, document: &Document, falloff_band: f64, kept: &[Dab]) -> Result<Self, StudioError> {
+    pub fn new(face: &FaceModel, document: &Document, falloff_band: f64, protected: &[Dab]) -> Result<Self, StudioError> {
         let camera = face.camera();
         let positions: Vec<DVec3> = document.rest().iter().map(|&position_m| project(camera, position_m)).collect();
         let skin = without_fillings(face.topology().triangles(), document.topology().triangles());
         let (vertices, from_px) = driving_vertices(&skin, &positions);
         let falloff_band_px = falloff_band * longer_side(&from_px);
-        let subject = Subject { size_px: face.photo_size_px(), points_px: &from_px, falloff_band_px, kept };
+        let subject = Subject { size_px: face.photo_size_px(), points_px: &from_px, falloff_band_px, protected };
         let warp = Warp::new(&subject)?;
         Ok(Self { vertices, to_px: from_px.clone(), from_px, warp })
     }

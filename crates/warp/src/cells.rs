@@ -30,24 +30,24 @@ impl<T: Copy> Cells<T> {
 
     /// Distance to the nearest point; infinity if it is not below `within`.
     pub(crate) fn distance(&self, position: DVec2, within: f64) -> f64 {
-        let middle = self.cell_of(position);
+        let centre = self.cell_of(position);
         let mut nearest = f64::INFINITY;
         for ring in 0..=(within / self.side) as i32 + 1 {
             // Points in this ring of cells and further ones are at least this far away.
             if nearest <= f64::from(ring - 1) * self.side {
                 break;
             }
-            nearest = self.ring(middle, ring).map(|point| point.distance(position)).fold(nearest, f64::min);
+            nearest = self.ring(centre, ring).map(|point| point.distance(position)).fold(nearest, f64::min);
         }
         if nearest < within { nearest } else { f64::INFINITY }
     }
 
-    fn ring(&self, middle: IVec2, ring: i32) -> impl Iterator<Item = DVec2> + '_ {
-        let rows = (middle.y - ring).max(0)..=(middle.y + ring).min(self.count.y - 1);
+    fn ring(&self, centre: IVec2, ring: i32) -> impl Iterator<Item = DVec2> + '_ {
+        let rows = (centre.y - ring).max(0)..=(centre.y + ring).min(self.count.y - 1);
         rows.flat_map(move |y| {
-            let is_end = (y - middle.y).abs() == ring;
+            let is_end = (y - centre.y).abs() == ring;
             let step = if is_end { 1 } else { (2 * ring).max(1) };
-            let columns = (middle.x - ring..=middle.x + ring).step_by(step as usize);
+            let columns = (centre.x - ring..=centre.x + ring).step_by(step as usize);
             columns.filter(|x| (0..self.count.x).contains(x)).map(move |x| IVec2::new(x, y))
         })
         .flat_map(|cell| self.cells[(cell.y * self.count.x + cell.x) as usize].iter().map(|(point, _)| *point))

@@ -19,7 +19,7 @@ pub struct Subject<'a> {
     /// Width of the falloff band in px, within [`FALLOFF_BAND_SHARES`] of the longer side of the points' bounding box.
     pub falloff_band_px: f64,
     /// Protected circles, whose pixels do not change.
-    pub kept: &'a [Dab],
+    pub protected: &'a [Dab],
 }
 
 /// A circle painted with the brush.
@@ -165,7 +165,7 @@ impl<'a> Plan<'a> {
     /// Whether a protected circle intersects the triangle.
     fn is_protected(&self, corners: [DVec2; 3]) -> bool {
         let (low, high) = (corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2]));
-        self.subject.kept.iter().any(|dab| {
+        self.subject.protected.iter().any(|dab| {
             let is_near = dab.centre_px.distance(dab.centre_px.clamp(low, high)) <= dab.radius_px;
             is_near && distance(dab.centre_px, corners) <= dab.radius_px
         })
@@ -178,7 +178,7 @@ impl<'a> Plan<'a> {
     /// Distance to the nearest protected circle; negative inside.
     fn distance_to_protected(&self, position: DVec2) -> f64 {
         let from = |dab: &Dab| dab.centre_px.distance(position) - dab.radius_px;
-        self.subject.kept.iter().map(from).fold(f64::INFINITY, f64::min)
+        self.subject.protected.iter().map(from).fold(f64::INFINITY, f64::min)
     }
 
     /// Distance to the nearest leading point; infinity beyond the falloff band.

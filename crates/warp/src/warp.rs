@@ -89,7 +89,7 @@ impl Warp {
     fn lead(&mut self, points_px: &[DVec2], targets_px: &[DVec2]) {
         assert_eq!(points_px.len(), targets_px.len(), "expected one target per point");
         for at in 0..self.roles.len() {
-            self.offsets_px[at] = self.wanted(self.roles[at], points_px, targets_px).unwrap_or_default();
+            self.offsets_px[at] = self.target_offset(self.roles[at], points_px, targets_px).unwrap_or_default();
         }
         if let Some(falloff) = &mut self.falloff {
             falloff.interpolate(&mut self.offsets_px);
@@ -99,12 +99,12 @@ impl Warp {
     /// Largest distance of a leading point from its target.
     fn shortfall_px(&self, points_px: &[DVec2], targets_px: &[DVec2]) -> f64 {
         let shortfall =
-            |(offset, role): (&DVec2, &Role)| Some(self.wanted(*role, points_px, targets_px)?.distance(*offset));
+            |(offset, role): (&DVec2, &Role)| Some(self.target_offset(*role, points_px, targets_px)?.distance(*offset));
         self.offsets_px.iter().zip(&self.roles).filter_map(shortfall).fold(0.0, f64::max)
     }
 
     /// Target offset of a point that leads.
-    fn wanted(&self, role: Role, points_px: &[DVec2], targets_px: &[DVec2]) -> Option<DVec2> {
+    fn target_offset(&self, role: Role, points_px: &[DVec2], targets_px: &[DVec2]) -> Option<DVec2> {
         match role {
             Role::Moved { point, share } => {
                 Some(bounded(targets_px[point] - points_px[point], self.max_offset_px) * share)

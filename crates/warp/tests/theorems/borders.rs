@@ -93,7 +93,7 @@ fn a_wider_falloff_band_changes_more_distant_pixels() {
     let photo = noise();
     let extents_px = [15.0, 30.0, 60.0].map(|falloff_band_px| {
         let mut warp =
-            Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: &points, falloff_band_px, kept: &[] }).unwrap();
+            Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: &points, falloff_band_px, protected: &[] }).unwrap();
         warp.follow(&points, &targets);
         let after = drawn(&photo, warp.warp_mesh());
         let changed = pixels(&photo).zip(pixels(&after)).filter(|((_, before), (_, after))| before != after);

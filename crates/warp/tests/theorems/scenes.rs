@@ -37,8 +37,9 @@ pub fn edited(points: &[DVec2], most_px: f64, seeded: &mut Seeded) -> Vec<DVec2>
     points.iter().map(|&point| point + offset(point)).collect()
 }
 
-pub fn warp(points: &[DVec2], kept: &[Dab]) -> Warp {
-    Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: points, falloff_band_px: FALLOFF_BAND_PX, kept }).unwrap()
+pub fn warp(points: &[DVec2], protected: &[Dab]) -> Warp {
+    Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: points, falloff_band_px: FALLOFF_BAND_PX, protected })
+        .unwrap()
 }
 
 pub fn moved(points: &[DVec2], targets: &[DVec2]) -> Warp {

@@ -7,12 +7,12 @@ const ROUND: u32 = 48;
 const RINGS: u32 = 24;
 
 /// A sphere; x and y in px of the picture, y down, z towards the viewer in px.
-fn sphere(middle: DVec3, radius: f64) -> (Vec<[u32; 3]>, Vec<DVec3>) {
+fn sphere(centre: DVec3, radius: f64) -> (Vec<[u32; 3]>, Vec<DVec3>) {
     let position = |i: u32| {
         let (around, along) =
             (TAU * f64::from(i % ROUND) / f64::from(ROUND), PI * (f64::from(i / ROUND) + 0.5) / f64::from(RINGS));
         let y_up = DVec3::new(along.sin() * around.cos(), along.cos(), along.sin() * around.sin());
-        middle + radius * y_up * DVec3::new(1.0, -1.0, 1.0)
+        centre + radius * y_up * DVec3::new(1.0, -1.0, 1.0)
     };
     let at = |ring: u32, i: u32| ring * ROUND + i % ROUND;
     let cells = (0..RINGS - 1).flat_map(|ring| (0..ROUND).map(move |i| (ring, i)));
@@ -109,7 +109,7 @@ fn occluding_vertices_lead_and_vertices_close_behind_do_not() {
     assert!(excluded > 10, "{excluded}");
 }
 
-/// A square of 21 × 21 vertices, 4 px apart, slit along its middle row except at the ends. The part below the slit is
+/// A square of 21 × 21 vertices, 4 px apart, slit along its centre row except at the ends. The part below the slit is
 /// shifted down by up to `gap`, which can be negative. Also returns the vertices along the slit, without its ends.
 fn slit(gap: f64) -> (Vec<[u32; 3]>, Vec<DVec3>, Vec<usize>) {
     const SIDE: u32 = 21;

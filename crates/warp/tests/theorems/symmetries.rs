@@ -9,7 +9,7 @@ use crate::seeded::Seeded;
 fn warped(photo: &Photo, points: &[DVec2], targets: &[DVec2]) -> Photo {
     let size_px = [photo.width(), photo.height()];
     let mut warp =
-        Warp::new(&Subject { size_px, points_px: points, falloff_band_px: FALLOFF_BAND_PX, kept: &[] }).unwrap();
+        Warp::new(&Subject { size_px, points_px: points, falloff_band_px: FALLOFF_BAND_PX, protected: &[] }).unwrap();
     warp.follow(points, targets);
     drawn(photo, warp.warp_mesh())
 }
