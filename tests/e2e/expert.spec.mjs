@@ -9,7 +9,7 @@ const TECHNICAL = {
   export: ["#export-density", "#export-morphs", "#export-units", "[data-action='download-json']"],
 };
 const ORDINARY = {
-  shape: ["#face-sliders", "#landmark-search", "#landmark-sliders", "#mirror", "#nearby", "#history"],
+  shape: ["#face-sliders", "#landmark-search", "#landmark-sliders", "#mirror", "#nearby", "#section-history"],
   view: ["#shading label:has([value='clay'])", "#wireframe", "#triangulation", "[data-action='view-left']"],
   export: ["#texture-size", "[data-action='check-glb']", "[data-action='save-project']", "[data-action='download-glb']"],
 };
