@@ -34,7 +34,12 @@ impl PhotoWarp {
     ///
     /// # Errors
     /// [`StudioError::Warp`] if too little of the face lies in its photo.
-    pub fn new(face: &FaceModel, document: &Document, falloff_band: f64, protected: &[Dab]) -> Result<Self, StudioError> {
+    pub fn new(
+        face: &FaceModel,
+        document: &Document,
+        falloff_band: f64,
+        protected: &[Dab],
+    ) -> Result<Self, StudioError> {
         let camera = face.camera();
         let positions: Vec<DVec3> = document.rest().iter().map(|&position_m| project(camera, position_m)).collect();
         let skin = without_fillings(face.topology().triangles(), document.topology().triangles());
