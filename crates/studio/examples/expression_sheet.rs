@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .zip(split_face.displacements(&displacements))
             .map(|(at, displacement)| *at + displacement)
             .collect();
-        let file = folder.join(format!("{place:02}-{}.png", expression.id()));
+        let file = folder.join(format!("{index:02}-{}.png", expression.id()));
         write(BufWriter::new(File::create(file)?), &YAWS.map(|yaw| drawn(&split_face, &moved, yaw)))?;
     }
     Ok(())

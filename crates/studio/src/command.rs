@@ -118,7 +118,7 @@ rosto_mesh::named! {
         /// They keep their direction: δ-coordinates as in the paper.
         #[default]
         Kept = "kept",
-        /// They rotate: as rigid as possible. Each offset needs a nonlinear solution, so a tick costs several solves.
+        /// They rotate: as rigid as possible. Each offset is solved iteratively, so a tick costs several solves.
         AsRigidAsPossible = "turned",
     }
 }

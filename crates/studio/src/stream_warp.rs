@@ -104,8 +104,12 @@ impl StreamWarp {
         from_px.iter_mut().for_each(|position| *position += aside);
         let longer_side_px = longer_side(&from_px);
         let size_px = size_px.map(|side| side.saturating_mul(3));
-        let subject =
-            Subject { size_px, points_px: &from_px, falloff_band_px: key.falloff_band * longer_side_px, protected: &[] };
+        let subject = Subject {
+            size_px,
+            points_px: &from_px,
+            falloff_band_px: key.falloff_band * longer_side_px,
+            protected: &[],
+        };
         let warp = Warp::new(&subject)?;
         self.warp_mesh.triangles.clone_from(&warp.warp_mesh().triangles);
         self.layout = Some(Layout { vertices, from_px, longer_side_px, warp, key });

@@ -129,7 +129,7 @@ fn count_refusals(intent: &Intent, edits_in_progress: &[Intent]) -> usize {
             return refusals;
         }
     }
-    panic!("{intent:?} makes more than {MOST_CALLS} fallible calls");
+    panic!("{intent:?} makes more than {MAX_CALLS} fallible calls");
 }
 
 #[test]

@@ -163,7 +163,8 @@ fn ending_the_live_preview_restores_the_photo() {
     let mut session = edited();
     session.apply(Intent::Scene(Scene::Picture)).unwrap();
     session.stage_mut().advance(0.0);
-    let corners = |session: &Session| [[0.0, 0.0], [64.0, 30.0]].map(|px| session.stage().canvas_px(px.into()).unwrap());
+    let corners =
+        |session: &Session| [[0.0, 0.0], [64.0, 30.0]].map(|px| session.stage().canvas_px(px.into()).unwrap());
     let before = corners(&session);
     session.preview_frame(Some(&seen(&head_m(&session), POSES[2])), FRAME_PX).unwrap();
     session.stage_mut().advance(16.0);

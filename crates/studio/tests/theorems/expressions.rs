@@ -35,7 +35,10 @@ fn expressions_of_a_symmetric_face_are_mirror_images() {
         let displacements = expressions.displacement(expression).unwrap();
         for vertex in 0..468 {
             let (displacement, partner) = (displacements[vertex as usize], image[mirror_of(vertex) as usize]);
-            assert!(displacement.distance(partner * MIRROR) < 1e-12, "{expression:?} at {vertex}: {way} and {partner}");
+            assert!(
+                displacement.distance(partner * MIRROR) < 1e-12,
+                "{expression:?} at {vertex}: {displacement} and {partner}"
+            );
         }
         assert_eq!(expression.mirrored().mirrored(), expression);
     }

@@ -32,7 +32,7 @@ fn nothing_moves_outside_the_radius() {
         let displacement = document.positions()[vertex] - document.rest()[vertex];
         assert!(
             distance < RADIUS_M || displacement == DVec3::ZERO,
-            "vertex {vertex}, {distance} m away, moved by {way}"
+            "vertex {vertex}, {distance} m away, moved by {displacement}"
         );
         inside += usize::from(displacement.length() > 1e-6);
     }

@@ -103,7 +103,7 @@ fn is_grabbed(session: &mut Session, position_px: DVec2, pointer: Pointer) -> Op
     act(session, Intent::Press(position_px, pointer));
     let lit = session.hovered().vertex;
     assert!(pointer == Pointer::Coarse || lit == hovered);
-    assert_eq!(session.has_grabbed(), lit.is_some(), "{place_px}");
+    assert_eq!(session.has_grabbed(), lit.is_some(), "{position_px}");
     let vertex = lit?;
     drag(session, position_px + DVec2::new(14.0, 11.0));
     let moved = face(session).selection().map(Selection::handles).unwrap_or_default();
@@ -128,7 +128,7 @@ fn a_press_grabs_the_highlighted_vertex_in_each_mode() {
             let mut lit_count = 0;
             for position_px in grid_px() {
                 let Some(is_grabbed) = is_grabbed(&mut session, position_px, pointer) else { continue };
-                assert!(is_grabbed, "{mode:?} at {density}, {pointer:?}, {place_px}");
+                assert!(is_grabbed, "{mode:?} at {density}, {pointer:?}, {position_px}");
                 lit_count += 1;
             }
             assert!(lit_count > 100, "{lit_count} of {}", grid_px().count());
@@ -232,7 +232,10 @@ fn moving_the_nose_leaves_eyelids_and_mouth_in_place() {
             assert!(displacement_mm(&session, &before, NOSE_TIP).length() > 11.9);
             for &vertex in &far {
                 let displacement_mm = displacement_mm(&session, &before, vertex);
-                assert!(displacement_mm.length() < 0.05, "{selection:?} by {offset_mm} moves {vertex} by {way_mm}");
+                assert!(
+                    displacement_mm.length() < 0.05,
+                    "{selection:?} by {offset_mm} moves {vertex} by {displacement_mm}"
+                );
             }
         }
     }

@@ -98,7 +98,7 @@ fn symmetric_selections_leave_the_mirror_only_sideways() {
             assert!((0..468).all(|vertex| sideways(vertex).abs() < 1e-9), "{selection:?} moves both sides alike");
             act(&mut session, Intent::Preview(DVec3::X));
             let displacement_mm = displacement_mm(&session, &before, selection.centre());
-            assert!(displacement_mm.distance(DVec3::X) < 1e-9, "{selection:?} moves by {way_mm} mm");
+            assert!(displacement_mm.distance(DVec3::X) < 1e-9, "{selection:?} moves by {displacement_mm} mm");
             assert_eq!(state(&session).leaves_plane, in_plane);
             act(&mut session, Intent::Cancel);
             assert!(!state(&session).leaves_plane);
