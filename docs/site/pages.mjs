@@ -42,13 +42,13 @@ export const GROUPS = [
   {
     title: "Understand",
     pages: [
-      doc("maths", "Maths"),
+      doc("maths", "The mathematics"),
       doc("landmarks", "Landmarks"),
       doc("shape", "Shape and size"),
       doc("several-photos", "Several photos"),
       doc("texture", "Texture"),
       doc("expressions", "Expressions"),
-      doc("photo-edit", "Photo edit"),
+      doc("photo-edit", "Photo edits"),
       doc("live-camera", "Live camera"),
     ],
   },

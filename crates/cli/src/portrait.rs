@@ -85,7 +85,7 @@ pub struct Portrait<'a> {
     pub lens: PhotoLens,
 }
 
-/// Model of the face in one or more photos, with the leading photo's colours.
+/// Model of the face in one or more photos, with the lead photo's colours.
 pub fn model_of(portraits: &[Portrait<'_>], triangulation: Triangulation) -> Result<FaceModel, CliError> {
     let colours: Vec<_> = portraits.iter().map(|of| colours(&of.photo, &of.face)).collect();
     let inputs = portraits.iter().zip(&colours).map(|(of, colours)| input(&of.photo, &of.face, colours, of.lens));

@@ -7,7 +7,7 @@ use rosto_face::{FaceModel, LeftOut, Turn, View};
 use crate::error::CliError;
 use crate::terminal;
 
-/// Reports the leading photo, the head's angle in each photo, the prediction errors and missing angles. Does nothing
+/// Reports the lead photo, the head's angle in each photo, the prediction errors and missing angles. Does nothing
 /// for a single photo.
 pub fn report(face: &FaceModel, photos: &[PathBuf]) -> Result<(), CliError> {
     let views = face.views();
@@ -34,7 +34,7 @@ fn turned(view: &View) -> String {
     }
 }
 
-/// The mesh matches the leading photo by construction.
+/// The mesh matches the lead photo by construction.
 fn agrees(index: usize, view: &View) -> String {
     if index == 0 { String::new() } else { format!(", agrees within {:.1} px", view.reprojection.rms_px) }
 }

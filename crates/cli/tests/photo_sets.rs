@@ -1,4 +1,4 @@
-//! `rosto mesh` with several photos of one face: the leading photo, messages and refusals.
+//! `rosto mesh` with several photos of one face: the lead photo, messages and refusals.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -11,13 +11,13 @@ use crate::readable::readable;
 readable! {
     /// A photo of the open face.
     pub struct StudioPhoto {
-        /// Whether it is the leading photo: its colours, size and lens are the face's, and it is the displayed one.
+        /// Whether it is the lead photo: its colours, size and lens are the face's, and it is the displayed one.
         leads: bool,
         /// Yaw of the head in degrees; positive to the subject's left.
         yaw_deg as yawDeg: f64,
         /// "front", "left" or "right"; undefined for other angles.
         turn: Option<String>,
-        /// Whether it shows a turn that neither the leading photo nor an earlier one shows.
+        /// Whether it shows a turn that neither the lead photo nor an earlier one shows.
         adds: bool,
     }
 }
@@ -127,7 +127,7 @@ impl Studio {
         Ok(changed.into())
     }
 
-    /// Uploads the leading photo if it has changed.
+    /// Uploads the lead photo if it has changed.
     pub(crate) fn show_lead(&mut self, added: Option<OpenPicture>) -> Result<()> {
         let Some(face) = self.session.face() else { return Ok(()) };
         let lead = face.model().picture();

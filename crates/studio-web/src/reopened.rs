@@ -19,7 +19,7 @@ readable! {
         in_photo as inPhoto: Option<String>,
         /// Whether another program has changed the mesh; it reopens as it was saved.
         changed_elsewhere as changedElsewhere: bool,
-        /// Index of the leading photo.
+        /// Index of the lead photo.
         leads: u32,
     } hidden {
         photos: Vec<ReopenedPhoto>,

@@ -8,13 +8,13 @@ use crate::further_photo::FurtherPhoto;
 /// A photo of a face, for display.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PhotoFacts {
-    /// Whether it is the leading photo: its colours, size and lens are the face's, and it is the displayed one.
+    /// Whether it is the lead photo: its colours, size and lens are the face's, and it is the displayed one.
     pub leads: bool,
     /// Yaw of the head in degrees; positive to the subject's left.
     pub yaw_deg: f64,
     /// The recommended turn of the head that it shows, if it shows one.
     pub turn: Option<Turn>,
-    /// Whether it shows a turn that neither the leading photo nor an earlier one shows.
+    /// Whether it shows a turn that neither the lead photo nor an earlier one shows.
     pub adds: bool,
 }
 
@@ -39,12 +39,12 @@ impl OpenFace {
         Turn::missing(self.model.views().iter().map(|view| view.camera.pose()))
     }
 
-    /// Adds a photo to the model and reapplies the edits. Returns whether the leading photo changed.
+    /// Adds a photo to the model and reapplies the edits. Returns whether the lead photo changed.
     pub(crate) fn add_photo(&mut self, photo: &FurtherPhoto, choices: &Choices) -> Result<bool, SessionError> {
         self.use_photos(self.model.with_photo(photo.input())?, choices)
     }
 
-    /// Removes a photo from the model and reapplies the edits. Returns whether the leading photo changed.
+    /// Removes a photo from the model and reapplies the edits. Returns whether the lead photo changed.
     pub(crate) fn remove_photo(&mut self, photo: usize, choices: &Choices) -> Result<bool, SessionError> {
         let count = self.model.views().len();
         if photo >= count {
