@@ -27,7 +27,7 @@ test("a GLB of each density passes the validator, and the page reports it before
     const { name, json, bytes } = await downloadGlb(editor);
     assert.equal(name, density === 2 ? "portrait.glb" : `portrait-${vertices}.glb`);
     const size = bytes < 1e6 ? `${Math.round(bytes / 1000).toLocaleString("en-GB")} KB` : `${(bytes / 1e6).toFixed(1)} MB`;
-    assert.equal(verdict, `${name}, ${size}: valid glTF 2.0, 0 errors, 0 warnings, 0 remarks`);
+    assert.equal(verdict, `${name}, ${size}: valid glTF 2.0, 0 errors, 0 warnings, 0 notes`);
     const [{ attributes, indices }] = json.meshes[0].primitives;
     assert.equal(json.accessors[attributes.POSITION].count, vertices);
     assert.equal(json.accessors[indices].count, 3 * triangles);

@@ -50,7 +50,7 @@ test("the tape measures the distance of two points with its error", async ({ edi
   await editor.unfold("section-size");
   const result = await page.innerText("#tape-result");
   const [straight, along] = [...result.matchAll(/(\d+) mm ± \d+/g)].map(([, length]) => Number(length));
-  const mouth = (await measures(page))["Mouth, width"];
+  const mouth = (await measures(page))["Mouth width"];
   assert.equal(straight, mouth, result);
   assert.ok(along > straight, result);
 });
