@@ -30,7 +30,7 @@ impl Sheet {
             false => [[at(c, r), at(c, r + 1), at(c + 1, r)], [at(c + 1, r), at(c, r + 1), at(c + 1, r + 1)]],
         };
         let triangles = squares.flat_map(cut).collect();
-        let positions: Vec<DVec2> = (0..=COLUMNS)
+        let grid: Vec<DVec2> = (0..=COLUMNS)
             .flat_map(|row| (0..=COLUMNS).map(move |column| DVec2::new(column.into(), row.into())))
             .map(|position| position / f64::from(COLUMNS))
             .collect();
@@ -39,9 +39,9 @@ impl Sheet {
             DVec3::new(x, y, bulge * (1.0 - x * x) * (1.0 - 0.5 * y * y))
         };
         Self {
-            topology: Topology::new(positions.len(), triangles).unwrap(),
-            positions: positions.iter().map(lifted).collect(),
-            atlas_uvs: positions.iter().map(|uv| DVec2::splat(0.05) + *uv * 0.9).collect(),
+            topology: Topology::new(grid.len(), triangles).unwrap(),
+            positions: grid.iter().map(lifted).collect(),
+            atlas_uvs: grid.iter().map(|uv| DVec2::splat(0.05) + *uv * 0.9).collect(),
             partners: (0..=COLUMNS).flat_map(|row| (0..=COLUMNS).map(move |c| at(COLUMNS - c, row))).collect(),
             features: Vec::new(),
         }

@@ -67,20 +67,19 @@ pub struct Sheet {
 impl Sheet {
     pub fn new(cells: u32, height: impl Fn(f64, f64) -> f64) -> Self {
         let side = cells + 1;
-        let positions =
-            (0..side * side).map(|i| DVec2::new(f64::from(i % side), f64::from(i / side)) / f64::from(cells));
+        let grid = (0..side * side).map(|i| DVec2::new(f64::from(i % side), f64::from(i / side)) / f64::from(cells));
         let triangles = (0..cells * cells).flat_map(|cell| {
             let at = cell / cells * side + cell % cells;
             [[at, at + 1, at + side + 1], [at, at + side + 1, at + side]]
         });
-        let positions = positions.clone().map(|position| {
+        let positions = grid.clone().map(|position| {
             let position = position * 2.0 - DVec2::ONE;
             position.extend(height(position.x, position.y))
         });
         Self {
             topology: Topology::new((side * side) as usize, triangles.collect()).unwrap(),
             positions: positions.collect(),
-            uvs: positions.map(|position| DVec2::new(position.x, 1.0 - position.y)).collect(),
+            uvs: grid.map(|position| DVec2::new(position.x, 1.0 - position.y)).collect(),
         }
     }
 
