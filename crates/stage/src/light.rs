@@ -9,7 +9,7 @@ const BRIGHTNESS: f64 = 0.92;
 /// Directional light fixed to the viewer, plus ambient light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Light {
-    /// Degrees to the viewer's right; 0 is behind the viewer, −90 from the left.
+    /// Degrees to the viewer's right; 0 is the viewer's direction, −90 from the left.
     pub azimuth_deg: f64,
     /// Degrees above the horizon.
     pub elevation_deg: f64,

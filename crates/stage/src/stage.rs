@@ -22,7 +22,7 @@ pub struct Stage {
     marks: Vec<Mark>,
     offsets_m: [DVec3; 2],
     ground_m: DVec3,
-    /// Distance of the framed mesh' furthest vertex from the centre.
+    /// Distance of the framed mesh's furthest vertex from the centre.
     framed_m: f64,
     pixel_ratio: f64,
     pointer_px: Option<DVec2>,

@@ -75,7 +75,7 @@ fn normal(vertex: u32) -> vec3f {
     return select(vec3f(0.0, 0.0, 1.0), blended / size, size > 0.0);
 }
 
-// Magnitude of a vertex' response to the handles, 0..1.
+// Magnitude of a vertex's response to the handles, 0..1.
 fn response(vertex: u32) -> f32 {
     let follow = follow(vertex);
     return clamp(max(abs(follow.field_a), abs(follow.field_b)), 0.0, 1.0);

@@ -11,7 +11,7 @@ use crate::layout::Role;
 pub(crate) struct FoldRemoval {
     /// Triangles with at least one movable corner.
     triangles: Vec<Flat>,
-    /// Start of each vertex' triangles in `at_vertices`.
+    /// Start of each vertex's triangles in `at_vertices`.
     starts: Vec<usize>,
     at_vertices: Vec<u32>,
     is_fixed: Vec<bool>,

@@ -51,7 +51,7 @@ impl Camera {
         let min_share = if self.sides == Sides::Swapped { 0.0 } else { MIN_SHARE };
         let px_per_m = (0.5 * room_px / half_m).min_element();
         let zoom = ((0.5 * room_px / half_picture_m).min_element() / px_per_m).max(min_share);
-        // As close to the mesh as the picture fills the visible area.
+        // Centre on the mesh as far as the picture still fills the visible area.
         let spare_m = (half_picture_m - 0.5 * room_px / (px_per_m * zoom)).max(DVec2::ZERO);
         let seen_m = lateral_m.clamp(picture_centre_m - spare_m, picture_centre_m + spare_m);
         Pose { target_m: self.centre_m + axes * (seen_m - lateral_m).extend(0.0), zoom, ..home }
