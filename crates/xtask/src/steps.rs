@@ -22,12 +22,13 @@ pub struct Step {
 }
 
 /// All steps, in order.
-pub const ALL: [Step; 19] = [
+pub const ALL: [Step; 20] = [
     step("format", "rustfmt", |_| Ok(cargo("fmt --all --check"))),
     step("lint", "clippy on the host", |_| {
         Ok(over_the_workspace("clippy").words("--all-targets --keep-going -- -D warnings"))
     }),
     step("lint-js", "Biome on JavaScript", |kit| Ok(kit.npm("lint"))),
+    step("prose", "plain English in docs, comments, names and words", |kit| Ok(kit.npm("prose"))),
     // Without benchmarks, which run on the host.
     step("lint-wasm", "clippy on wasm32", |kit| {
         let clippy = kit.run("cargo").words("clippy --lib --tests --examples --locked --keep-going --target").arg(WASM);
