@@ -78,7 +78,7 @@ fn the_line_between_closed_lids_stays_smooth() {
                 let bend_px =
                     |displacements: &[DVec2]| (displacements[1] - 0.5 * (displacements[0] + displacements[2])).length();
                 let max_px = displacements.windows(3).map(bend_px).fold(0.0, f64::max);
-                assert!(max_px < 2.0, "{triangulation:?}, density {density}: it bends by {most_px} px");
+                assert!(max_px < 2.0, "{triangulation:?}, density {density}: it bends by {max_px} px");
             }
         }
     }
