@@ -89,14 +89,14 @@ impl Choice {
 impl Session {
     /// Id of the current value; `None` if it is not an available one, such as when no preset matches.
     pub fn chosen(&self, choice: Choice) -> Option<String> {
-        let (choices, view) = (self.choices(), self.view());
+        let (options, view) = (self.edit_options(), self.view());
         let id = match choice {
             Choice::SelectionMode => self.mode().id(),
-            Choice::Preset => choices.preset()?.id(),
-            Choice::Operator => choices.operator.id(),
-            Choice::Constraint => CONSTRAINTS.into_iter().find(|(_, one)| *one == choices.constraint)?.0,
-            Choice::Details => choices.details.id(),
-            Choice::Anchors => choices.anchors.id(),
+            Choice::Preset => options.preset()?.id(),
+            Choice::Operator => options.operator.id(),
+            Choice::Constraint => CONSTRAINTS.into_iter().find(|(_, one)| *one == options.constraint)?.0,
+            Choice::Details => options.details.id(),
+            Choice::Anchors => options.anchors.id(),
             Choice::Scene => view.scene.id(),
             Choice::Shading => view.shading.id(),
             Choice::TextureSource => view.texture_source.id(),

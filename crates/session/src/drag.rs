@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_stage::{Axis, Camera};
 
-use crate::choices::SLIDER_MM;
+use crate::edit_options::SLIDER_MM;
 use crate::open_face::MM_PER_M;
 
 /// Speed of a fine drag relative to a normal one.

@@ -6,8 +6,8 @@
 
 mod changed;
 mod choice;
-mod choices;
 mod drag;
+mod edit_options;
 mod error;
 #[cfg(test)]
 #[path = "../tests/properties/faces.rs"]
@@ -38,8 +38,8 @@ extern crate self as rosto_session;
 
 pub use changed::Changed;
 pub use choice::Choice;
-pub use choices::{AnchorChoice, Choices, Preset, RADIUS_MM, Range, SLIDER_MM};
 pub use drag::Pace;
+pub use edit_options::{AnchorChoice, EditOptions, Preset, RADIUS_MM, Range, SLIDER_MM};
 pub use error::SessionError;
 pub use files::{EditsAs, ExpressionsAs, FileOptions, plain_formats, printed_formats};
 pub use further_photo::FurtherPhoto;

@@ -11,7 +11,7 @@ use rosto_face::{FaceModel, Photo, Triangulation};
 use rosto_studio::{Command, Details, Document, EditTarget, Expression, FaceSlider, Mirror, StudioError, Switch};
 
 use crate::Selection;
-use crate::choices::Choices;
+use crate::edit_options::EditOptions;
 use crate::error::SessionError;
 use crate::rows::{Row, Rows};
 use crate::selection::Moving;
@@ -190,34 +190,34 @@ impl OpenFace {
     }
 
     /// Sets the selection; `seed` selects random anchors.
-    pub(crate) fn select(&mut self, selection: Option<Selection>, choices: &Choices, seed: u64) {
+    pub(crate) fn select(&mut self, selection: Option<Selection>, edit_options: &EditOptions, seed: u64) {
         self.selection = selection;
         self.seed = seed;
-        self.prepare(choices);
+        self.prepare(edit_options);
     }
 
     /// Pins or unpins vertices. An edit in progress continues.
-    pub(crate) fn pin(&mut self, vertices: &[u32], switch: Switch, choices: &Choices) {
+    pub(crate) fn pin(&mut self, vertices: &[u32], switch: Switch, edit_options: &EditOptions) {
         self.pins.retain(|pin| !vertices.contains(pin));
         if switch == Switch::On {
             self.pins.extend(vertices);
         }
-        self.keep_prepared(choices);
+        self.keep_prepared(edit_options);
     }
 
     /// Prepares the selection's edit with the given settings. If it has no solution, the selection stays and cannot be
     /// moved. An edit in progress is discarded.
-    pub(crate) fn prepare(&mut self, choices: &Choices) {
+    pub(crate) fn prepare(&mut self, edit_options: &EditOptions) {
         self.leaves_plane = false;
-        self.prepare_selection(choices);
+        self.prepare_selection(edit_options);
     }
 
-    fn prepare_selection(&mut self, choices: &Choices) {
+    fn prepare_selection(&mut self, edit_options: &EditOptions) {
         self.moving = Moving::Nothing;
         self.refusal = None;
         let Some(selection) = self.selection else { return self.document.release() };
-        let mirror = if self.leaves_plane { Mirror::Off } else { choices.mirror };
-        let spec = Choices { mirror, ..*choices }.spec(selection, &self.pins, self.seed, &self.document);
+        let mirror = if self.leaves_plane { Mirror::Off } else { edit_options.mirror };
+        let spec = EditOptions { mirror, ..*edit_options }.spec(selection, &self.pins, self.seed, &self.document);
         if let Err(reason) = self.document.prepare(spec) {
             self.document.release();
             self.refusal = Some(reason);
@@ -225,14 +225,14 @@ impl OpenFace {
     }
 
     /// Prepares the selection's edit again; an edit in progress continues.
-    pub(crate) fn keep_prepared(&mut self, choices: &Choices) {
+    pub(crate) fn keep_prepared(&mut self, edit_options: &EditOptions) {
         match self.moving {
-            Moving::Nothing => self.prepare(choices),
-            Moving::Slider { .. } | Moving::Expression { .. } => self.commit(choices),
+            Moving::Nothing => self.prepare(edit_options),
+            Moving::Slider { .. } | Moving::Expression { .. } => self.commit(edit_options),
             Moving::Selection { offset_mm } => {
-                self.prepare(choices);
+                self.prepare(edit_options);
                 // If rotating details do not converge, the previous preview remains.
-                let _ = self.preview(offset_mm, choices);
+                let _ = self.preview(offset_mm, edit_options);
             }
         }
     }
@@ -240,15 +240,15 @@ impl OpenFace {
     /// Tick of the selection's offset: no solve, no allocation. On an error the previous offset remains; without a
     /// prepared edit it is a no-op, because a tick can arrive after its selection is gone. Returns whether the edit was
     /// prepared again, which happens when it leaves the mirror plane or returns to it.
-    pub(crate) fn preview(&mut self, offset_mm: DVec3, choices: &Choices) -> Result<bool, SessionError> {
-        let leaves_plane = offset_mm.x != 0.0 && self.lies_in_plane(choices);
+    pub(crate) fn preview(&mut self, offset_mm: DVec3, edit_options: &EditOptions) -> Result<bool, SessionError> {
+        let leaves_plane = offset_mm.x != 0.0 && self.lies_in_plane(edit_options);
         if leaves_plane == self.leaves_plane {
             self.move_selection(offset_mm)?;
             return Ok(false);
         }
         self.transaction(|face| {
             face.leaves_plane = leaves_plane;
-            face.prepare_selection(choices);
+            face.prepare_selection(edit_options);
             face.move_selection(offset_mm)
         })?;
         Ok(true)
@@ -262,8 +262,8 @@ impl OpenFace {
     }
 
     /// Starts moving a ready-made slider: one solve. Commits another edit in progress first.
-    pub(crate) fn start_slider(&mut self, slider: FaceSlider, choices: &Choices) -> Result<(), SessionError> {
-        self.commit(choices);
+    pub(crate) fn start_slider(&mut self, slider: FaceSlider, edit_options: &EditOptions) -> Result<(), SessionError> {
+        self.commit(edit_options);
         let prepared = self.document.prepare(slider.spec());
         self.slider_influence = prepared.and_then(|()| SliderInfluence::of(&mut self.document, slider))?;
         self.unit_offsets_m = slider.offsets_m(1.0);
@@ -282,9 +282,15 @@ impl OpenFace {
 
     /// Tick of an expression; solves on its first use. `to` is its weight, including earlier entries; with the mirror,
     /// its partner gets the same weight.
-    pub(crate) fn express(&mut self, expression: Expression, to: f64, choices: &Choices) -> Result<(), SessionError> {
+    pub(crate) fn express(
+        &mut self,
+        expression: Expression,
+        to: f64,
+        edit_options: &EditOptions,
+    ) -> Result<(), SessionError> {
         let change = |expression: Expression| (expression, (to - self.committed_weight(expression)).clamp(-1.0, 1.0));
-        let partner = Some(expression.mirrored()).filter(|&other| other != expression && choices.mirror == Mirror::On);
+        let partner =
+            Some(expression.mirrored()).filter(|&other| other != expression && edit_options.mirror == Mirror::On);
         let (expression, partner) = (change(expression), partner.map(change));
         let changes = [Some(expression), partner].into_iter().flatten().filter(|(_, by)| by.abs() > MIN_WEIGHT);
         self.document.preview_expressions(&changes.collect::<Vec<_>>())?;
@@ -300,7 +306,7 @@ impl OpenFace {
 
     /// Commits the edit in progress as one entry, unless nothing moved. After a slider, the selection is prepared
     /// again.
-    pub(crate) fn commit(&mut self, choices: &Choices) {
+    pub(crate) fn commit(&mut self, edit_options: &EditOptions) {
         let target = match (self.moving, self.selection) {
             (Moving::Selection { offset_mm }, Some(selection)) if offset_mm != DVec3::ZERO => Some(selection.target()),
             (Moving::Slider { slider, by_mm }, _) if by_mm.abs() > MIN_MM => Some(EditTarget::Slider(slider)),
@@ -312,15 +318,15 @@ impl OpenFace {
             self.document.commit(&target.to_string());
             self.rows.read(&self.document, first);
         }
-        self.cancel(choices);
+        self.cancel(edit_options);
     }
 
     /// Discards the edit in progress.
-    pub(crate) fn cancel(&mut self, choices: &Choices) {
+    pub(crate) fn cancel(&mut self, edit_options: &EditOptions) {
         self.document.cancel();
         let was_slider = matches!(std::mem::take(&mut self.moving), Moving::Slider { .. });
         if was_slider || self.leaves_plane {
-            self.prepare(choices);
+            self.prepare(edit_options);
         }
     }
 
@@ -330,16 +336,20 @@ impl OpenFace {
     }
 
     /// Applies a change of the history that returns the index of the first changed entry.
-    pub(crate) fn change_history(&mut self, choices: &Choices, change: impl FnOnce(&mut Document) -> Option<usize>) {
-        self.cancel(choices);
+    pub(crate) fn change_history(
+        &mut self,
+        edit_options: &EditOptions,
+        change: impl FnOnce(&mut Document) -> Option<usize>,
+    ) {
+        self.cancel(edit_options);
         if let Some(first) = change(&mut self.document) {
             self.rows.read(&self.document, first);
         }
     }
 
     /// Moves both sides towards symmetry, as an entry of the history; no entry if nothing moves.
-    pub(crate) fn symmetrise(&mut self, share: f64, choices: &Choices) -> Result<(), SessionError> {
-        self.commit(choices);
+    pub(crate) fn symmetrise(&mut self, share: f64, edit_options: &EditOptions) -> Result<(), SessionError> {
+        self.commit(edit_options);
         let (label, first) = (EditTarget::Symmetry.to_string(), self.document.history().entries().len());
         let command = Command::Symmetrise { share };
         if self.document.displacement(&command)?.iter().all(|displacement| displacement.length() <= MIN_M) {

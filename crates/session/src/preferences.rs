@@ -9,12 +9,12 @@ use rosto_studio::{ConstraintKind, Details, FALLOFF_BAND_SHARES, Mirror, Operato
 use serde_json::{Value, json};
 
 use crate::error::SessionError;
-use crate::{AnchorChoice, Choices, SelectionMode, Session, TextureSource, Turntable, View};
+use crate::{AnchorChoice, EditOptions, SelectionMode, Session, TextureSource, Turntable, View};
 
 /// The contents of the text.
 pub(crate) struct Preferences {
     pub mode: SelectionMode,
-    pub choices: Choices,
+    pub edit_options: EditOptions,
     pub view: View,
     pub light: Light,
     pub dots: Dots,
@@ -23,8 +23,8 @@ pub(crate) struct Preferences {
 impl Session {
     /// Settings and view as text, for [`Intent::RestorePreferences`](crate::Intent::RestorePreferences).
     pub fn preferences(&self) -> String {
-        let (choices, view, settings) = (self.choices(), self.view(), self.stage().render_settings());
-        let constraint = match choices.constraint {
+        let (edit_options, view, settings) = (self.edit_options(), self.view(), self.stage().render_settings());
+        let constraint = match edit_options.constraint {
             ConstraintKind::Soft { weight } => json!({ "soft": weight }),
             ConstraintKind::Hard => json!("exact"),
         };
@@ -35,13 +35,13 @@ impl Session {
         let light = &settings.light;
         json!({
             "mode": self.mode().id(),
-            "operator": choices.operator.id(),
+            "operator": edit_options.operator.id(),
             "constraint": constraint,
-            "anchors": choices.anchors.id(),
-            "nearby": choices.is_nearby,
-            "radius_mm": choices.radius_mm,
-            "mirror": choices.mirror == Mirror::On,
-            "turned": choices.details == Details::AsRigidAsPossible,
+            "anchors": edit_options.anchors.id(),
+            "nearby": edit_options.is_nearby,
+            "radius_mm": edit_options.radius_mm,
+            "mirror": edit_options.mirror == Mirror::On,
+            "turned": edit_options.details == Details::AsRigidAsPossible,
             "scene": view.scene.id(),
             "falloff-band": view.falloff_band,
             "paint": view.shading.id(),
@@ -75,7 +75,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
             weight: soft["soft"].as_f64().filter(|weight| *weight > 0.0).ok_or(missing("constraint"))?,
         },
     };
-    let choices = Choices {
+    let edit_options = EditOptions {
         operator: named(&value, "operator", Operator::from_id)?,
         constraint,
         anchors: named(&value, "anchors", AnchorChoice::from_id)?,
@@ -84,7 +84,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         mirror: if flag("mirror")? { Mirror::On } else { Mirror::Off },
         details: if flag("turned")? { Details::AsRigidAsPossible } else { Details::Kept },
     };
-    let choices = Choices { is_nearby: flag("nearby")?, ..choices.with_radius(choices.radius_mm)? };
+    let edit_options = EditOptions { is_nearby: flag("nearby")?, ..edit_options.with_radius(edit_options.radius_mm)? };
     let density = value["density"].as_u64().filter(|density| *density <= crate::MAX_SHOWN_DENSITY.into());
     let view = View {
         scene: named(&value, "scene", Scene::from_id)?,
@@ -106,7 +106,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
     };
     Ok(Preferences {
         mode: named(&value, "mode", SelectionMode::from_id)?,
-        choices,
+        edit_options,
         view,
         light: light(&value).ok_or(missing("light"))?,
         dots: named(&value, "dots", Dots::from_id)?,

@@ -19,7 +19,7 @@ use crate::live_preview::LivePreview;
 use crate::open_face::OpenFace;
 use crate::seeds::Seeds;
 use crate::strokes::Strokes;
-use crate::{Changed, Choices, Intent, SelectionMode, SessionError, View, marks};
+use crate::{Changed, EditOptions, Intent, SelectionMode, SessionError, View, marks};
 pub(crate) use appearance::checked;
 pub use photo::BRUSH_PX;
 
@@ -29,7 +29,7 @@ pub use photo::BRUSH_PX;
 /// texture and the stage's size are set by separate methods.
 pub struct Session {
     face: Option<OpenFace>,
-    choices: Choices,
+    edit_options: EditOptions,
     mode: SelectionMode,
     view: View,
     gesture: Gesture,
@@ -47,7 +47,7 @@ impl Session {
     pub fn new(seed: u64) -> Self {
         let mut session = Self {
             face: None,
-            choices: Choices::default(),
+            edit_options: EditOptions::default(),
             mode: SelectionMode::default(),
             view: View::default(),
             gesture: Gesture::default(),
@@ -73,8 +73,8 @@ impl Session {
     }
 
     /// The settings of edits.
-    pub fn choices(&self) -> &Choices {
-        &self.choices
+    pub fn edit_options(&self) -> &EditOptions {
+        &self.edit_options
     }
 
     /// Kind of selection made by a click or a drag.
@@ -150,13 +150,13 @@ impl Session {
             Intent::Pin(switch) => self.pin_selected(switch),
             Intent::PinUnder(position_px) => self.toggle_pin_at(position_px),
             Intent::Preset(preset) => self.set_preset(preset),
-            Intent::Operator(operator) => self.choose(Choices { operator, ..self.choices }),
-            Intent::Constraint(constraint) => self.choose(Choices { constraint, ..self.choices }),
-            Intent::Details(details) => self.choose(Choices { details, ..self.choices }),
-            Intent::Anchors(anchors) => self.choose(Choices { anchors, ..self.choices }),
-            Intent::Mirror(mirror) => self.choose(Choices { mirror, ..self.choices }),
-            Intent::Nearby(switch) => self.choose(Choices { is_nearby: switch == Switch::On, ..self.choices }),
-            Intent::Radius(radius_mm) => self.choose(self.choices.with_radius(radius_mm)?),
+            Intent::Operator(operator) => self.choose(EditOptions { operator, ..self.edit_options }),
+            Intent::Constraint(constraint) => self.choose(EditOptions { constraint, ..self.edit_options }),
+            Intent::Details(details) => self.choose(EditOptions { details, ..self.edit_options }),
+            Intent::Anchors(anchors) => self.choose(EditOptions { anchors, ..self.edit_options }),
+            Intent::Mirror(mirror) => self.choose(EditOptions { mirror, ..self.edit_options }),
+            Intent::Nearby(switch) => self.choose(EditOptions { is_nearby: switch == Switch::On, ..self.edit_options }),
+            Intent::Radius(radius_mm) => self.choose(self.edit_options.with_radius(radius_mm)?),
             Intent::Widen(factor) => self.widen(factor),
             Intent::Preview(offset_mm) => self.preview(offset_mm),
             Intent::Slide(slider, to_mm) => self.slide(slider, to_mm),
@@ -173,7 +173,7 @@ impl Session {
             Intent::Redo if self.brush_px.is_some() => self.change_strokes(Strokes::redo),
             Intent::ClearStrokes => self.change_strokes(Strokes::clear),
             Intent::Undo => self.undo(),
-            Intent::Redo => self.finish(|face, choices| face.change_history(choices, Document::redo)),
+            Intent::Redo => self.finish(|face, edit_options| face.change_history(edit_options, Document::redo)),
             Intent::Reset => self.reset(),
             Intent::ResetSelected => self.reset_selected(),
             Intent::ResetExpressions => self.reset_expressions(),
@@ -181,8 +181,10 @@ impl Session {
             Intent::Symmetrise(share) => self.symmetrise(share),
             Intent::Density(density) => self.set_density(density),
             Intent::PhotoLens(lens) => self.set_photo_lens(lens),
-            Intent::AddPhoto(photo) => self.change_photos(|face, choices| face.add_photo(&photo, choices)),
-            Intent::RemovePhoto(photo) => self.change_photos(|face, choices| face.remove_photo(photo, choices)),
+            Intent::AddPhoto(photo) => self.change_photos(|face, edit_options| face.add_photo(&photo, edit_options)),
+            Intent::RemovePhoto(photo) => {
+                self.change_photos(|face, edit_options| face.remove_photo(photo, edit_options))
+            }
             Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
             Intent::Scene(scene) => Ok(self.set_scene(scene)),
             Intent::FalloffBand(share) => self.set_falloff_band(share),

@@ -4,7 +4,7 @@ use rosto_stage::{Dots, Light};
 use rosto_studio::{Expression, FaceSlider, StudioError};
 
 use crate::selection::Moving;
-use crate::{Choices, OpenFace, Preset, Selection, SelectionMode, Session};
+use crate::{EditOptions, OpenFace, Preset, Selection, SelectionMode, Session};
 
 /// The state that panels show.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +16,7 @@ pub struct State {
     /// Number of vertices that can be selected, from 0.
     pub selectable: usize,
     /// Settings of edits.
-    pub choices: Choices,
+    pub edit_options: EditOptions,
     /// The preset with these settings, if there is one.
     pub preset: Option<Preset>,
     /// View settings.
@@ -113,13 +113,13 @@ impl Session {
         State {
             face: self.face().map(|face| FaceState {
                 is_along_view: self.is_along_view(face.committed_mm()),
-                ..face.state(self.choices())
+                ..face.state(self.edit_options())
             }),
             brush_px: self.brush_px(),
             mode: self.mode(),
             selectable,
-            choices: *self.choices(),
-            preset: self.choices().preset(),
+            edit_options: *self.edit_options(),
+            preset: self.edit_options().preset(),
             view: *self.view(),
             light: self.stage().render_settings().light,
             dots: self.stage().render_settings().dots,
@@ -144,14 +144,14 @@ impl Session {
 }
 
 impl OpenFace {
-    fn state(&self, choices: &Choices) -> FaceState {
+    fn state(&self, edit_options: &EditOptions) -> FaceState {
         let history = self.document().history();
         FaceState {
             vertex_count: self.document().topology().vertex_count(),
             selection: self.selection(),
             is_pinned: self.is_pinned(),
             can_mirror: self.can_mirror(),
-            lies_in_plane: self.lies_in_plane(choices),
+            lies_in_plane: self.lies_in_plane(edit_options),
             leaves_plane: self.leaves_plane(),
             is_sliding: self.is_sliding(),
             refusal: self.refusal().cloned(),

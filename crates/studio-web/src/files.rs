@@ -13,10 +13,10 @@ use crate::state::Snapshot;
 /// Options of exported files. `free()` it after use.
 #[wasm_bindgen]
 #[derive(Debug, Default)]
-pub struct FileChoices(FileOptions);
+pub struct StudioFileOptions(FileOptions);
 
 #[wasm_bindgen]
-impl FileChoices {
+impl StudioFileOptions {
     /// Creates the default options.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
@@ -119,9 +119,9 @@ impl Studio {
     /// # Errors
     /// `bad-choice`.
     #[wasm_bindgen(js_name = fileEnding)]
-    pub fn file_ending(&self, format: &str, choices: &FileChoices) -> Result<String, JsValue> {
+    pub fn file_ending(&self, format: &str, options: &StudioFileOptions) -> Result<String, JsValue> {
         let format = FacadeError::require(Format::from_id(format))?;
-        Ok(format.bundle_extension(choices.0.base_colour).to_owned())
+        Ok(format.bundle_extension(options.0.base_colour).to_owned())
     }
 
     /// Exports the face at the displayed density. A glTF stores the project in the scene's extras. A format uses the
@@ -130,9 +130,9 @@ impl Studio {
     /// # Errors
     /// `no-face`, `bad-choice`, `too-thick`, `no-body`, `surface-alone` or `cannot-export`.
     #[wasm_bindgen(js_name = exportFile)]
-    pub fn export_file(&mut self, format: &str, choices: &FileChoices) -> Result<Vec<u8>, JsValue> {
+    pub fn export_file(&mut self, format: &str, options: &StudioFileOptions) -> Result<Vec<u8>, JsValue> {
         let format = FacadeError::require(Format::from_id(format))?;
-        Ok(self.session.bundled_file(format, &choices.0).map_err(FacadeError::from)?)
+        Ok(self.session.bundled_file(format, &options.0).map_err(FacadeError::from)?)
     }
 
     /// Numbers of points and triangles that an exported mesh will have.
@@ -140,9 +140,9 @@ impl Studio {
     /// # Errors
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = meshCounts)]
-    pub fn mesh_counts(&self, format: &str, choices: &FileChoices) -> Result<Vec<u32>, JsValue> {
+    pub fn mesh_counts(&self, format: &str, options: &StudioFileOptions) -> Result<Vec<u32>, JsValue> {
         let format = FacadeError::require(Format::from_id(format))?;
-        let counts = self.session.mesh_counts(format, &choices.0).map_err(FacadeError::from)?;
+        let counts = self.session.mesh_counts(format, &options.0).map_err(FacadeError::from)?;
         Ok(counts.map(|count| count as u32).to_vec())
     }
 
@@ -151,8 +151,8 @@ impl Studio {
     /// # Errors
     /// `no-face`, `too-thick` or `no-body`.
     #[wasm_bindgen(js_name = solidFacts)]
-    pub fn solid_facts(&self, choices: &FileChoices) -> Result<Option<PrintedBody>, JsValue> {
-        Ok(self.session.solid_facts(choices.0.solid).map_err(FacadeError::from)?.map(PrintedBody::from))
+    pub fn solid_facts(&self, options: &StudioFileOptions) -> Result<Option<PrintedBody>, JsValue> {
+        Ok(self.session.solid_facts(options.0.solid).map_err(FacadeError::from)?.map(PrintedBody::from))
     }
 
     /// Renders a picture of the view in any size, without marks and tools, optionally with a transparent background.

@@ -30,7 +30,7 @@ mod texture;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-pub use files::{FileChoices, PrintedBody, default_density};
+pub use files::{PrintedBody, StudioFileOptions, default_density};
 pub use modes::{ChangeName, FileKindName, PointerName, RefusalName, TaskName};
 pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
 pub use photo_warp::PhotoWarp;

@@ -110,7 +110,7 @@ impl StudioState {
 impl StudioState {
     pub(crate) fn of(session: &Session) -> Self {
         let state = session.state();
-        let (face, choices, view) = (state.face.as_ref(), &state.choices, &state.view);
+        let (face, edit_options, view) = (state.face.as_ref(), &state.edit_options, &state.view);
         let is = |what: fn(&FaceState) -> bool| face.is_some_and(what);
         let selection = face.and_then(|face| face.selection);
         let committed_mm = face.map_or(glam::DVec3::ZERO, |face| face.committed_mm);
@@ -131,9 +131,9 @@ impl StudioState {
             can_mirror: face.is_none_or(|face| face.can_mirror),
             refusal: face.and_then(|face| face.refusal.as_ref()).map(RefusalName::from),
             anchors: face.map(|face| face.anchors.clone()).unwrap_or_default(),
-            mirror: choices.mirror == Mirror::On,
-            nearby: choices.is_nearby,
-            radius_mm: choices.radius_mm,
+            mirror: edit_options.mirror == Mirror::On,
+            nearby: edit_options.is_nearby,
+            radius_mm: edit_options.radius_mm,
             wireframe: view.wireframe == Visibility::Shown,
             anchors_marked: view.anchors == Switch::On,
             is_wiping: session.stage().render_settings().wipe.is_some(),

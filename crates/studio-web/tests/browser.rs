@@ -3,7 +3,9 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use rosto_face::canonical_positions_m;
-use rosto_studio_web::{ChangeName, FileChoices, PointerName, RefusalName, ScreenPoint, Studio, StudioEntry, start};
+use rosto_studio_web::{
+    ChangeName, PointerName, RefusalName, ScreenPoint, Studio, StudioEntry, StudioFileOptions, start,
+};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -51,7 +53,7 @@ fn colours() -> Vec<u8> {
 
 /// The mesh as JSON.
 fn mesh_json(studio: &mut Studio, units: &str) -> Vec<u8> {
-    let mut choices = FileChoices::new();
+    let mut choices = StudioFileOptions::new();
     choices.choose("units", units).unwrap();
     studio.export_file("json", &choices).unwrap()
 }
@@ -120,7 +122,7 @@ async fn the_empty_state_is_drawn_and_not_editable() {
     assert_eq!(studio.state().vertex_count, 0);
     assert_eq!(studio.hover(160.0, 160.0).unwrap(), None);
     assert_eq!(code(&studio.select(Some(NOSE_TIP)).unwrap_err()), "no-face");
-    assert_eq!(code(&studio.export_file("json", &FileChoices::new()).unwrap_err()), "no-face");
+    assert_eq!(code(&studio.export_file("json", &StudioFileOptions::new()).unwrap_err()), "no-face");
     assert_eq!(studio.landmark_ids()[NOSE_TIP as usize], "nose-tip");
 }
 
@@ -305,7 +307,7 @@ async fn base_colours_are_exported_as_binary_gltf() {
     let mut studio = studio().await;
     studio.choose("shading", "distortion").unwrap();
     for colour in ["photo", "colours"] {
-        let mut choices = FileChoices::new();
+        let mut choices = StudioFileOptions::new();
         choices.choose("base-colour", colour).unwrap();
         let file = studio.export_file("glb", &choices).unwrap();
         assert_eq!(&file[..4], b"glTF");

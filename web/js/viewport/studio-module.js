@@ -9,7 +9,7 @@ import { asPageError } from "../page/page-error.js";
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
  * @typedef {(from: { module_or_path: WebAssembly.Module }) => Promise<unknown>} Instantiate
- * @typedef {Pick<typeof forWebGpu, "createRenderer" | "FileChoices" | "reopenGlb" | "reopenProject" | "sniffFile" | "solidRangeMm" | "start" | "defaultDensity"> & { default: Instantiate }} StudioModule
+ * @typedef {Pick<typeof forWebGpu, "createRenderer" | "StudioFileOptions" | "reopenGlb" | "reopenProject" | "sniffFile" | "solidRangeMm" | "start" | "defaultDensity"> & { default: Instantiate }} StudioModule
  */
 
 /** Errors after which the canvas is still free for WebGL2. */

@@ -1,10 +1,10 @@
 import { release, studioModule } from "../viewport/studio-module.js";
 
 /**
- * @typedef {import("../../wasm/rosto-studio-web.js").FileChoices} FileChoices
+ * @typedef {import("../../wasm/rosto-studio-web.js").StudioFileOptions} StudioFileOptions
  * @typedef {import("../viewport/whole-texture.js").WholeTexture} WholeTexture
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {Record<string, string>} ExportChoices values by the ids of the studio's `FileChoices`
+ * @typedef {Record<string, string>} ExportChoices values by the ids of the studio's `StudioFileOptions`
  */
 
 /**
@@ -25,10 +25,10 @@ export async function exportedFile(host, texture, format, chosen) {
  *
  * @template T
  * @param {ExportChoices} chosen
- * @param {(choices: FileChoices) => T} then
+ * @param {(choices: StudioFileOptions) => T} then
  */
 export function withFileChoices(chosen, then) {
-  const choices = new (studioModule().FileChoices)();
+  const choices = new (studioModule().StudioFileOptions)();
   try {
     for (const [choice, id] of Object.entries(chosen)) choices.choose(choice, id);
     return then(choices);

@@ -3,7 +3,7 @@ use rosto_face::{FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
 use rosto_studio::{CoordinateFrame, Document, Rest};
 
 use super::OpenFace;
-use crate::choices::Choices;
+use crate::edit_options::EditOptions;
 use crate::error::SessionError;
 use crate::{Selection, SelectionMode};
 
@@ -14,9 +14,9 @@ impl OpenFace {
         &mut self,
         density: u32,
         mode: SelectionMode,
-        choices: &Choices,
+        edit_options: &EditOptions,
     ) -> Result<(), SessionError> {
-        self.commit(choices);
+        self.commit(edit_options);
         let is_point = mode == SelectionMode::Point || matches!(self.selection, Some(Selection::Point { .. }));
         let selected = self.selected().zip(self.selected_m()).filter(|_| is_point);
         self.document.set_density(density)?;
@@ -27,7 +27,7 @@ impl OpenFace {
         }
         self.photo.invalidate();
         self.rows.read(&self.document, 0);
-        self.prepare(choices);
+        self.prepare(edit_options);
         Ok(())
     }
 
@@ -35,9 +35,9 @@ impl OpenFace {
     pub(crate) fn set_triangulation(
         &mut self,
         triangulation: Triangulation,
-        choices: &Choices,
+        edit_options: &EditOptions,
     ) -> Result<(), SessionError> {
-        self.commit(choices);
+        self.commit(edit_options);
         let position_m = self.selected_m();
         self.document = self.over(triangulation, self.model.positions_m().to_vec())?;
         self.triangulation = triangulation;
@@ -47,26 +47,26 @@ impl OpenFace {
         }
         self.photo.invalidate();
         self.rows.read(&self.document, 0);
-        self.prepare(choices);
+        self.prepare(edit_options);
         Ok(())
     }
 
     /// Rebuilds the model for another lens of the photo and reapplies the edits.
-    pub(crate) fn set_photo_lens(&mut self, lens: PhotoLens, choices: &Choices) -> Result<(), SessionError> {
+    pub(crate) fn set_photo_lens(&mut self, lens: PhotoLens, edit_options: &EditOptions) -> Result<(), SessionError> {
         let model = self.model.with_lens(lens)?;
-        self.replace_model(model, choices)
+        self.replace_model(model, edit_options)
     }
 
     /// Replaces the model and reapplies the edits.
-    pub(super) fn replace_model(&mut self, model: FaceModel, choices: &Choices) -> Result<(), SessionError> {
-        self.commit(choices);
+    pub(super) fn replace_model(&mut self, model: FaceModel, edit_options: &EditOptions) -> Result<(), SessionError> {
+        self.commit(edit_options);
         self.document = self.over(self.triangulation, model.positions_m().to_vec())?;
         self.model = model;
         // The texture belongs to the previous camera.
         self.texture = None;
         self.photo.invalidate();
         self.rows.read(&self.document, 0);
-        self.prepare(choices);
+        self.prepare(edit_options);
         Ok(())
     }
 

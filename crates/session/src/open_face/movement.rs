@@ -2,7 +2,7 @@ use glam::DVec3;
 use rosto_studio::{Command, ConstraintKind, EditTarget, Expression, FaceSlider, Mirror};
 
 use super::{MM_PER_M, OpenFace};
-use crate::Choices;
+use crate::EditOptions;
 use crate::rows::PER_CENT;
 use crate::selection::Moving;
 
@@ -60,8 +60,8 @@ impl OpenFace {
 
     /// Whether the selection is its own mirror image and the mirror is on. Both sides then move alike, except sideways,
     /// where the selection moves without the mirror.
-    pub fn lies_in_plane(&self, choices: &Choices) -> bool {
-        choices.mirror == Mirror::On && self.is_own_image()
+    pub fn lies_in_plane(&self, edit_options: &EditOptions) -> bool {
+        edit_options.mirror == Mirror::On && self.is_own_image()
     }
 
     fn is_own_image(&self) -> bool {

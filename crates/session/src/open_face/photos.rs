@@ -1,7 +1,7 @@
 use rosto_face::{FaceModel, Turn};
 
 use super::{OpenFace, PhotoEdit};
-use crate::choices::Choices;
+use crate::edit_options::EditOptions;
 use crate::error::SessionError;
 use crate::further_photo::FurtherPhoto;
 
@@ -40,23 +40,23 @@ impl OpenFace {
     }
 
     /// Adds a photo to the model and reapplies the edits. Returns whether the lead photo changed.
-    pub(crate) fn add_photo(&mut self, photo: &FurtherPhoto, choices: &Choices) -> Result<bool, SessionError> {
-        self.use_photos(self.model.with_photo(photo.input())?, choices)
+    pub(crate) fn add_photo(&mut self, photo: &FurtherPhoto, edit_options: &EditOptions) -> Result<bool, SessionError> {
+        self.use_photos(self.model.with_photo(photo.input())?, edit_options)
     }
 
     /// Removes a photo from the model and reapplies the edits. Returns whether the lead photo changed.
-    pub(crate) fn remove_photo(&mut self, photo: usize, choices: &Choices) -> Result<bool, SessionError> {
+    pub(crate) fn remove_photo(&mut self, photo: usize, edit_options: &EditOptions) -> Result<bool, SessionError> {
         let count = self.model.views().len();
         if photo >= count {
             return Err(SessionError::NoSuchPhoto { photo, count });
         }
-        self.use_photos(self.model.without_photo(photo)?, choices)
+        self.use_photos(self.model.without_photo(photo)?, edit_options)
     }
 
-    fn use_photos(&mut self, model: FaceModel, choices: &Choices) -> Result<bool, SessionError> {
+    fn use_photos(&mut self, model: FaceModel, edit_options: &EditOptions) -> Result<bool, SessionError> {
         let is_another = model.landmarks() != self.model.landmarks();
         let led = self.model.landmarks().to_vec();
-        self.replace_model(model, choices)?;
+        self.replace_model(model, edit_options)?;
         if is_another {
             // Strokes and view distance belong to one photo; they are restored when that photo leads again.
             let next = PhotoEdit::of_next_photo(&self.photo);

@@ -8,7 +8,7 @@ use crate::error::within;
 use crate::gesture::{Gesture, Hovered};
 use crate::incoming::MAX_SHOWN_DENSITY;
 use crate::open_face::{MAX_OFFSET_M, MM_PER_M, OpenFace};
-use crate::{Changed, Choices, SessionError};
+use crate::{Changed, EditOptions, SessionError};
 
 /// Edits, undo and redo.
 impl Session {
@@ -20,9 +20,9 @@ impl Session {
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
         let was_sliding = face.is_sliding();
         if was_sliding {
-            face.commit(&self.choices);
+            face.commit(&self.edit_options);
         }
-        let was_prepared = face.preview(offset_mm, &self.choices)?;
+        let was_prepared = face.preview(offset_mm, &self.edit_options)?;
         Ok(if was_sliding || was_prepared { Changed::Document } else { Changed::Tick })
     }
 
@@ -33,7 +33,7 @@ impl Session {
         let is_current = face.slider() == Some(slider);
         if !is_current {
             self.gesture = Gesture::Idle;
-            face.start_slider(slider, &self.choices)?;
+            face.start_slider(slider, &self.edit_options)?;
         }
         face.slide(slider, to_mm)?;
         Ok(if is_current { Changed::Tick } else { Changed::Document })
@@ -45,25 +45,25 @@ impl Session {
         let is_current = face.expression() == Some(expression);
         if !is_current {
             self.gesture = Gesture::Idle;
-            face.commit(&self.choices);
+            face.commit(&self.edit_options);
         }
-        face.express(expression, to, &self.choices)?;
+        face.express(expression, to, &self.edit_options)?;
         Ok(if is_current { Changed::Tick } else { Changed::Document })
     }
 
     pub(super) fn reset_expressions(&mut self) -> Result {
         self.open_face()?;
-        self.finish(|face, choices| {
-            face.commit(choices);
-            face.change_history(choices, Document::reset_expressions);
+        self.finish(|face, edit_options| {
+            face.commit(edit_options);
+            face.change_history(edit_options, Document::reset_expressions);
         })
     }
 
     /// Ends an edit in progress with `end`.
-    pub(super) fn finish(&mut self, end: impl FnOnce(&mut OpenFace, &Choices)) -> Result {
+    pub(super) fn finish(&mut self, end: impl FnOnce(&mut OpenFace, &EditOptions)) -> Result {
         self.gesture = Gesture::Idle;
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
-        end(face, &self.choices);
+        end(face, &self.edit_options);
         Ok(Changed::Document)
     }
 
@@ -77,15 +77,15 @@ impl Session {
     }
 
     pub(super) fn undo(&mut self) -> Result {
-        self.finish(|face, choices| {
-            face.commit(choices);
-            face.change_history(choices, Document::undo);
+        self.finish(|face, edit_options| {
+            face.commit(edit_options);
+            face.change_history(edit_options, Document::undo);
         })
     }
 
     pub(super) fn reset(&mut self) -> Result {
-        self.finish(|face, choices| {
-            face.change_history(choices, |document| {
+        self.finish(|face, edit_options| {
+            face.change_history(edit_options, |document| {
                 document.reset();
                 Some(0)
             });
@@ -94,7 +94,7 @@ impl Session {
 
     pub(super) fn reset_selected(&mut self) -> Result {
         let target = self.open_face()?.selection().ok_or(SessionError::NothingSelected)?.target();
-        self.finish(|face, choices| face.change_history(choices, |document| document.switch_off(target)))
+        self.finish(|face, edit_options| face.change_history(edit_options, |document| document.switch_off(target)))
     }
 
     pub(super) fn switch(&mut self, index: usize, switch: Switch) -> Result {
@@ -102,15 +102,15 @@ impl Session {
         if index >= count {
             return Err(StudioError::NoSuchEntry { index, count }.into());
         }
-        self.finish(|face, choices| {
-            face.change_history(choices, |document| document.switch(index, switch).unwrap_or_default());
+        self.finish(|face, edit_options| {
+            face.change_history(edit_options, |document| document.switch(index, switch).unwrap_or_default());
         })
     }
 
     pub(super) fn symmetrise(&mut self, share: f64) -> Result {
         within("the share", share, 0.0, 1.0)?;
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
-        face.symmetrise(share, &self.choices)?;
+        face.symmetrise(share, &self.edit_options)?;
         self.gesture = Gesture::Idle;
         Ok(Changed::Document)
     }
@@ -118,8 +118,8 @@ impl Session {
     pub(super) fn set_density(&mut self, density: u32) -> Result {
         within("the density", density.into(), 0.0, MAX_SHOWN_DENSITY.into())?;
         if let Some(face) = &mut self.face {
-            face.set_density(density, self.mode, &self.choices)?;
-            prepare(face, self.mode, &self.choices, self.seeds.peek());
+            face.set_density(density, self.mode, &self.edit_options)?;
+            prepare(face, self.mode, &self.edit_options, self.seeds.peek());
         }
         self.new_mesh();
         self.view.density = density;
@@ -128,7 +128,7 @@ impl Session {
 
     pub(super) fn set_triangulation(&mut self, triangulation: Triangulation) -> Result {
         if let Some(face) = &mut self.face {
-            face.set_triangulation(triangulation, &self.choices)?;
+            face.set_triangulation(triangulation, &self.edit_options)?;
         }
         self.new_mesh();
         self.view.triangulation = triangulation;
@@ -140,7 +140,7 @@ impl Session {
         if face.model().lens() == lens {
             return Ok(Changed::Nothing);
         }
-        face.set_photo_lens(lens, &self.choices)?;
+        face.set_photo_lens(lens, &self.edit_options)?;
         self.new_mesh();
         self.show_pinhole();
         Ok(Changed::Mesh)

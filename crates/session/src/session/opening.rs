@@ -5,14 +5,14 @@ use super::{Result, Session};
 use crate::gesture::{Gesture, Hovered};
 use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
-use crate::{Changed, Choices, Motion, Selection, SelectionMode, SessionError, preferences};
+use crate::{Changed, EditOptions, Motion, Selection, SelectionMode, SessionError, preferences};
 
 /// Opening and closing faces.
 impl Session {
     pub(super) fn open(&mut self, incoming: Incoming) -> Result {
         let mut face = incoming::opened(incoming, (self.view.triangulation, self.view.density))?;
         face.set_falloff_band(self.view.falloff_band);
-        prepare(&mut face, self.mode, &self.choices, self.seeds.peek());
+        prepare(&mut face, self.mode, &self.edit_options, self.seeds.peek());
         self.view.triangulation = face.triangulation();
         self.view.density = face.document().density();
         self.face = Some(face);
@@ -40,10 +40,10 @@ impl Session {
     /// Adds or removes a photo of the open face; shows the leading one if it changed.
     pub(super) fn change_photos(
         &mut self,
-        change: impl FnOnce(&mut OpenFace, &Choices) -> std::result::Result<bool, SessionError>,
+        change: impl FnOnce(&mut OpenFace, &EditOptions) -> std::result::Result<bool, SessionError>,
     ) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
-        let is_another = change(face, &self.choices)?;
+        let is_another = change(face, &self.edit_options)?;
         self.new_mesh();
         match is_another {
             true => self.frame_in_photo(),
@@ -87,7 +87,7 @@ impl Session {
     pub(super) fn prefer(&mut self, text: &str) -> Result {
         let preferences = preferences::read(text, &self.view)?;
         self.finish(OpenFace::commit)?;
-        (self.mode, self.choices, self.view) = (preferences.mode, preferences.choices, preferences.view);
+        (self.mode, self.edit_options, self.view) = (preferences.mode, preferences.edit_options, preferences.view);
         let look = self.stage.render_settings_mut();
         (look.light, look.dots) = (preferences.light, preferences.dots);
         self.view.show_on(&mut self.stage, self.face.is_none());
@@ -97,19 +97,19 @@ impl Session {
         // The open face keeps its mesh; the preference applies to the next one.
         (self.view.triangulation, self.view.density) = (face.triangulation(), face.document().density());
         let wanted = face.selection_in(self.mode);
-        face.select(wanted, &self.choices, self.seeds.draw());
+        face.select(wanted, &self.edit_options, self.seeds.draw());
         Ok(Changed::Document)
     }
 }
 
 /// Builds the factorisation that all points share, so that selecting the first one is fast.
-pub(super) fn prepare(face: &mut OpenFace, mode: SelectionMode, choices: &Choices, seed: u64) {
+pub(super) fn prepare(face: &mut OpenFace, mode: SelectionMode, edit_options: &EditOptions, seed: u64) {
     let level = face.document().density();
     if mode == SelectionMode::Point && level > 0 {
         let any = Selection::Point { level, vertex: 0 };
-        let spec = choices.spec(any, face.pins(), seed, face.document());
+        let spec = edit_options.spec(any, face.pins(), seed, face.document());
         // An error is reported when a point is selected.
         let _ = face.document_mut().prepare(spec);
-        face.prepare(choices);
+        face.prepare(edit_options);
     }
 }

@@ -99,7 +99,7 @@ impl Session {
     /// Selects the grabbed vertex unless the selection contains it. Commits an edit in progress.
     pub(super) fn grab(&mut self, vertex: u32, axis: Option<Axis>, from_px: DVec2) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
-        face.commit(&self.choices);
+        face.commit(&self.edit_options);
         if !face.holds(vertex) {
             self.select_at(vertex)?;
         }
@@ -137,7 +137,7 @@ impl Session {
         let mut offset_mm = drag.offset_m(camera, to_px, axis, pace) * MM_PER_M;
         // Keep small sideways movements of a midline point in the mirror plane.
         let sticks_mm = drag.mm_of_px(camera, STICKS_PX * self.stage.pixel_ratio());
-        if axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.choices) {
+        if axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.edit_options) {
             offset_mm.x = 0.0;
         }
         offset_mm.is_finite().then(|| drag.within_sliders(face.offset_for(offset_mm)))

@@ -4,10 +4,10 @@ use rosto_studio::{SMOOTH_DENSITY, Switch};
 
 use super::opening::prepare;
 use super::{Result, Session};
-use crate::choices::RADIUS_MM;
+use crate::edit_options::RADIUS_MM;
 use crate::error::bounded_factor;
 use crate::gesture::Gesture;
-use crate::{Changed, Choices, Preset, Selection, SelectionMode, SessionError};
+use crate::{Changed, EditOptions, Preset, Selection, SelectionMode, SessionError};
 
 /// Selection and edit settings.
 impl Session {
@@ -15,12 +15,12 @@ impl Session {
     pub(super) fn set_mode(&mut self, mode: SelectionMode) -> Result {
         self.mode = mode;
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
-        face.commit(&self.choices);
-        prepare(face, mode, &self.choices, self.seeds.peek());
+        face.commit(&self.edit_options);
+        prepare(face, mode, &self.edit_options, self.seeds.peek());
         let wanted = face.selection_in(mode);
         if wanted != face.selection() {
             self.gesture = Gesture::Idle;
-            face.select(wanted, &self.choices, self.seeds.draw());
+            face.select(wanted, &self.edit_options, self.seeds.draw());
         }
         Ok(Changed::Document)
     }
@@ -38,8 +38,8 @@ impl Session {
         if let Some((vertex, count)) = there.filter(|(vertex, count)| *vertex as usize >= *count) {
             return Err(SessionError::NoSuchVertex { vertex, count });
         }
-        face.commit(&self.choices);
-        face.select(selection, &self.choices, self.seeds.draw());
+        face.commit(&self.edit_options);
+        face.select(selection, &self.edit_options, self.seeds.draw());
         self.gesture = Gesture::Idle;
         Ok(Changed::Document)
     }
@@ -62,7 +62,7 @@ impl Session {
     pub(super) fn pin_selected(&mut self, switch: Switch) -> Result {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         let handles = face.selection().ok_or(SessionError::NothingSelected)?.handles();
-        face.pin(&handles, switch, &self.choices);
+        face.pin(&handles, switch, &self.edit_options);
         Ok(Changed::Document)
     }
 
@@ -70,7 +70,7 @@ impl Session {
         let vertex = self.vertex_at(position_px);
         let (Some(face), Some(vertex)) = (&mut self.face, vertex) else { return Ok(Changed::Nothing) };
         let switch = if face.pins().contains(&vertex) { Switch::Off } else { Switch::On };
-        face.pin(&[vertex], switch, &self.choices);
+        face.pin(&[vertex], switch, &self.edit_options);
         Ok(Changed::Document)
     }
 
@@ -80,15 +80,15 @@ impl Session {
             Preset::Paper => 0,
             Preset::Sculpt => self.view.density.max(SMOOTH_DENSITY),
         };
-        let changed = self.choose(preset.choices(self.choices.radius_mm))?;
+        let changed = self.choose(preset.edit_options(self.edit_options.radius_mm))?;
         if density == self.view.density { Ok(changed) } else { self.set_density(density) }
     }
 
     /// Changes the settings; an edit in progress continues with them.
-    pub(super) fn choose(&mut self, choices: Choices) -> Result {
-        self.choices = choices;
+    pub(super) fn choose(&mut self, edit_options: EditOptions) -> Result {
+        self.edit_options = edit_options;
         if let Some(face) = &mut self.face {
-            face.keep_prepared(&self.choices);
+            face.keep_prepared(&self.edit_options);
         }
         Ok(Changed::Document)
     }
@@ -96,8 +96,8 @@ impl Session {
     pub(super) fn widen(&mut self, factor: f64) -> Result {
         let factor = bounded_factor(factor)?;
         // Whole steps, as in the panel.
-        let radius_mm = (self.choices.radius_mm * factor / RADIUS_MM.step).round() * RADIUS_MM.step;
+        let radius_mm = (self.edit_options.radius_mm * factor / RADIUS_MM.step).round() * RADIUS_MM.step;
         let radius_mm = radius_mm.clamp(RADIUS_MM.min, RADIUS_MM.max);
-        self.choose(self.choices.with_radius(radius_mm)?)
+        self.choose(self.edit_options.with_radius(radius_mm)?)
     }
 }

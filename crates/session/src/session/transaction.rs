@@ -29,11 +29,11 @@ impl Session {
             return self.dispatch(intent);
         }
         let face = self.face.as_ref().map(OpenFace::snapshot);
-        let chosen = (self.choices, self.mode, self.view, self.seeds, self.brush_px);
+        let chosen = (self.edit_options, self.mode, self.view, self.seeds, self.brush_px);
         let shown = (self.gesture.clone(), self.hovered, self.stage.clone());
         let done = self.dispatch(intent);
         if done.is_err() {
-            (self.choices, self.mode, self.view, self.seeds, self.brush_px) = chosen;
+            (self.edit_options, self.mode, self.view, self.seeds, self.brush_px) = chosen;
             (self.gesture, self.hovered, self.stage) = shown;
             if let (Some(face), Some(before)) = (&mut self.face, face) {
                 face.restore(before);

@@ -71,7 +71,10 @@ fn an_open_face_keeps_its_mesh_under_restored_preferences() {
     act(&mut other, Intent::Preview(DVec3::Z));
     act(&mut other, Intent::RestorePreferences(one.preferences()));
     let (wanted, now) = (one.state(), other.state());
-    assert_eq!((now.mode, now.choices, now.light, now.dots), (wanted.mode, wanted.choices, wanted.light, wanted.dots));
+    assert_eq!(
+        (now.mode, now.edit_options, now.light, now.dots),
+        (wanted.mode, wanted.edit_options, wanted.light, wanted.dots)
+    );
     assert_eq!(now.view.shading, ShadingMode::Clay);
     assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, SMOOTH_DENSITY));
     let now = now.face.unwrap();

@@ -112,7 +112,7 @@ fn symmetric_selections_leave_the_mirror_only_sideways() {
 fn symmetric_selections_reach_their_reported_share() {
     let mut session = session();
     act(&mut session, Intent::Constraint(ConstraintKind::Soft { weight: 1.0 }));
-    assert_eq!((session.choices().anchors, session.choices().mirror), (AnchorChoice::Oval, Mirror::On));
+    assert_eq!((session.edit_options().anchors, session.edit_options().mirror), (AnchorChoice::Oval, Mirror::On));
     let landmarks = MIDLINE.into_iter().map(Selection::Landmark);
     for selection in landmarks.chain([Region::Nose, Region::Lips, Region::Chin].map(Selection::Region)) {
         select(&mut session, selection);

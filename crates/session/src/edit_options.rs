@@ -28,7 +28,7 @@ pub struct Range {
 
 /// Settings of edits; they persist across selections and faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Choices {
+pub struct EditOptions {
     /// Discrete Laplacian.
     pub operator: Operator,
     /// How firmly handles and anchors are held.
@@ -72,8 +72,8 @@ rosto_mesh::named! {
 
 impl Preset {
     /// The preset's settings, with `radius_mm` for later use.
-    pub fn choices(self, radius_mm: f64) -> Choices {
-        let paper = Choices {
+    pub fn edit_options(self, radius_mm: f64) -> EditOptions {
+        let paper = EditOptions {
             operator: Operator::default(),
             constraint: ConstraintKind::default(),
             anchors: AnchorChoice::Random,
@@ -84,7 +84,7 @@ impl Preset {
         };
         match self {
             Self::Paper => paper,
-            Self::Sculpt => Choices {
+            Self::Sculpt => EditOptions {
                 operator: Operator::Cotangent,
                 constraint: ConstraintKind::Hard,
                 anchors: AnchorChoice::Oval,
@@ -96,16 +96,16 @@ impl Preset {
     }
 }
 
-impl Default for Choices {
+impl Default for EditOptions {
     fn default() -> Self {
-        Preset::Sculpt.choices(RADIUS_MM.default)
+        Preset::Sculpt.edit_options(RADIUS_MM.default)
     }
 }
 
-impl Choices {
+impl EditOptions {
     /// The preset with these settings, if there is one.
     pub fn preset(&self) -> Option<Preset> {
-        Preset::ALL.into_iter().find(|preset| preset.choices(self.radius_mm) == *self)
+        Preset::ALL.into_iter().find(|preset| preset.edit_options(self.radius_mm) == *self)
     }
 
     /// Returns the settings with edits limited to the given influence radius.
@@ -166,8 +166,8 @@ mod tests {
         let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
         let document = Document::new(rest).unwrap();
         let pins_for = |handle: u32, mirror: Mirror| {
-            let choices = Choices { mirror, ..Choices::default() };
-            choices.spec(Selection::Landmark(handle), &[61, 152, 9_000], 1, &document).settings.anchors.pins
+            let edit_options = EditOptions { mirror, ..EditOptions::default() };
+            edit_options.spec(Selection::Landmark(handle), &[61, 152, 9_000], 1, &document).settings.anchors.pins
         };
         assert_eq!(pins_for(61, Mirror::Off), [152]);
         assert_eq!(pins_for(291, Mirror::Off), [61, 152]);
@@ -177,10 +177,10 @@ mod tests {
     #[test]
     fn presets_are_recognised_at_any_radius() {
         for preset in Preset::ALL {
-            let choices = preset.choices(33.0);
-            assert_eq!(choices.preset(), Some(preset));
-            assert_eq!(Choices { is_nearby: !choices.is_nearby, ..choices }.preset(), None);
+            let edit_options = preset.edit_options(33.0);
+            assert_eq!(edit_options.preset(), Some(preset));
+            assert_eq!(EditOptions { is_nearby: !edit_options.is_nearby, ..edit_options }.preset(), None);
         }
-        assert_eq!(Choices::default().preset(), Some(Preset::Sculpt));
+        assert_eq!(EditOptions::default().preset(), Some(Preset::Sculpt));
     }
 }
