@@ -73,12 +73,12 @@ fn rotating_details_changes_the_mesh_and_reaches_the_target() {
 #[test]
 fn a_denser_mesh_has_the_edit_and_the_colours_of_the_photo() {
     let dense = mesh_json("dense.json", &["--topology", "canonical", "--density", "2", "--edit", "4:0,0,8"]);
-    for (field, count) in [("positions", 7_257), ("colors", 7_257), ("triangles", 14_368)] {
+    for (field, count) in [("positions", 7_257), ("colours", 7_257), ("triangles", 14_368)] {
         assert_eq!(dense[field].as_array().unwrap().len(), count, "{field}");
     }
     let photo = image::open(portrait()).unwrap().to_rgb8();
     let plain = mesh_json("dense-plain.json", &["--units", "image", "--topology", "canonical", "--density", "2"]);
-    let (positions, colours) = (triples(&plain["positions"]), triples(&plain["colors"]));
+    let (positions, colours) = (triples(&plain["positions"]), triples(&plain["colours"]));
     // Subdivision moves some landmarks at the corners of the mouth, but keeps their colours.
     let crowded = rosto_face::crowded_landmarks();
     let exact = |vertex: &usize| !crowded.contains(&(*vertex as u32));

@@ -33,7 +33,7 @@ fn json_contains_landmarks_colours_and_triangles() {
             .flat_map(coordinates)
             .all(|(landmark, axis)| (positions[landmark][axis] - expected[landmark][axis]).abs() < 1e-6)
     );
-    let counts = |mesh: &serde_json::Value| ["colors", "triangles"].map(|of| mesh[of].as_array().unwrap().len());
+    let counts = |mesh: &serde_json::Value| ["colours", "triangles"].map(|of| mesh[of].as_array().unwrap().len());
     assert_eq!(counts(&mesh), [7_257, 14_368], "smooth, with the landmarks first");
     assert_eq!(counts(&mesh_json("paper.json", &PAPERS_MESH)), [468, 852]);
     // The paper's colour: the pixel at the landmark.
@@ -41,7 +41,7 @@ fn json_contains_landmarks_colours_and_triangles() {
     for vertex in exact {
         let position = positions[vertex];
         let pixel = photo.get_pixel((position[0] * 512.0) as u32, (position[1] * 512.0) as u32);
-        let colour = triples(&mesh["colors"])[vertex];
+        let colour = triples(&mesh["colours"])[vertex];
         assert_eq!(colour, pixel.0.map(f64::from), "landmark {vertex}");
     }
 }
