@@ -15,7 +15,7 @@ test("an AVIF, which the browser decodes, becomes an upright face in its colours
   await visitor.drop(whole, "me.avif");
   await visitor.untilFace();
   assert.ok(await page.isHidden("#notice"));
-  const { positions, colors: colours } = await visitor.meshJson("image");
+  const { positions, colours } = await visitor.meshJson("image");
   for (const { landmark, x, y } of [NOSE_TIP, CHIN]) {
     const [found_x, found_y] = positions[landmark];
     assert.ok(Math.hypot(found_x - x, found_y - y) < NEAR, `landmark ${landmark} is at ${found_x}, ${found_y}`);

@@ -24,14 +24,14 @@ export function maxDisplacement(one, other) {
  */
 export function assertSameMesh(seen, wanted) {
   assertSameShape(seen, wanted);
-  for (const [vertex, colour] of seen.colors.slice(0, LANDMARKS).entries()) assert.deepEqual(colour, wanted.colors[vertex]);
+  for (const [vertex, colour] of seen.colours.slice(0, LANDMARKS).entries()) assert.deepEqual(colour, wanted.colours[vertex]);
 }
 
 /**
  * Asserts that a mesh was restored from a file. Colours are compared at the landmarks only, because the file holds the
  * photo as JPEG or not at all.
  */
-export function assertRestored({ colors: come, ...seen }, { colors: had, ...wanted }) {
+export function assertRestored({ colours: come, ...seen }, { colours: had, ...wanted }) {
   assert.deepEqual(seen, wanted);
   assert.deepEqual(come.slice(0, LANDMARKS), had.slice(0, LANDMARKS));
   assert.equal(come.length, had.length);

@@ -50,8 +50,8 @@ const BODY_CM3 = /([\d.]+) cm³/;
 /** Of 4096 colours; an empty rendering has one. */
 const MIN_COLOURS = 40;
 
-/** Ground truth from a shape's JSON, in mm. @param {{ positions: Point[], triangles: Point[], colors: Point[] }} json @returns {Truth} */
-export function truthOf({ positions, triangles, colors }) {
+/** Ground truth from a shape's JSON, in mm. @param {{ positions: Point[], triangles: Point[], colours: Point[] }} json @returns {Truth} */
+export function truthOf({ positions, triangles, colours }) {
   const points = positions.map((point) => point.map((value) => value / 1000));
   const places = new Places(points);
   if (points.some((point, at) => places.at(point) !== at)) throw new Error("two vertices of the mesh coincide");
@@ -59,7 +59,7 @@ export function truthOf({ positions, triangles, colors }) {
     const values = points.map((point) => point[axis]);
     return Math.max(...values) - Math.min(...values);
   });
-  return { places, triangles: new Set(triangles.map(oriented)), colours: colors, size };
+  return { places, triangles: new Set(triangles.map(oriented)), colours, size };
 }
 
 /** Asserts that a report matches the truth. @param {Row} row @param {Truth} truth @param {Report} report @param {string} printed by the command line */

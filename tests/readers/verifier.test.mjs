@@ -11,7 +11,7 @@ const FACE = [[0, 2, 1], [0, 1, 3], [0, 3, 2]];
 const BACK = [1, 2, 3];
 const COLOURS = [[200, 150, 130], [60, 40, 30], [220, 180, 160], [120, 60, 50]];
 const METRES = CORNERS_MM.map((point) => point.map((value) => value / 1000));
-const TRUTH = truthOf({ positions: CORNERS_MM, triangles: FACE, colors: COLOURS });
+const TRUTH = truthOf({ positions: CORNERS_MM, triangles: FACE, colours: COLOURS });
 /** The command line's output about the body. */
 const PRINTED = "a body of 0.2 cm³";
 

@@ -26,6 +26,6 @@ fn numbers_round_trip_to_the_same_f64() {
         }
     }
     assert_eq!(read["units"], "image");
-    assert_eq!(read["colors"], serde_json::json!([[0, 128, 255], [1, 2, 3], [4, 5, 6]]));
+    assert_eq!(read["colours"], serde_json::json!([[0, 128, 255], [1, 2, 3], [4, 5, 6]]));
     assert_eq!(read["triangles"], serde_json::json!([[0, 1, 2]]));
 }

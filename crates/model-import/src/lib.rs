@@ -5,13 +5,13 @@
 //! their SHA-256, and converts them:
 //!
 //! * NHWC becomes NCHW. A reshape of a rank 4 tensor is preceded by a transpose to NHWC, which preserves the order of
-//! the output values.
+//!   the output values.
 //! * `SAME` padding becomes explicit padding (`Window` in the `tflite` module).
 //! * Weights stay in half precision, each followed by a `Cast`. The detector and the landmark network together take
-//! about 1.5 MB.
+//!   about 1.5 MB.
 //! * The attention network has custom MediaPipe operators, which crop rotated regions from its feature map. The
-//! conversion omits them: the graph consists of a trunk and three heads with separate inputs, and the caller crops the
-//! regions.
+//!   conversion omits them: the graph consists of a trunk and three heads with separate inputs, and the caller crops the
+//!   regions.
 //!
 //! The opset is 13. The picture is f32 `[1, 3, side, side]`. The outputs of the detector are `regressors`
 //! `[1, 896, 16]` and `classificators` `[1, 896, 1]`. Those of the landmark network are `conv2d_21` `[1, 1404, 1, 1]`

@@ -28,7 +28,7 @@ pub struct JsonMesh<'a> {
     pub about: Option<Value>,
 }
 
-/// Returns the mesh as JSON: `{"units","positions","colors","triangles","about"}`.
+/// Returns the mesh as JSON: `{"units","positions","colours","triangles","about"}`.
 ///
 /// Numbers round-trip to the same `f64`; non-finite coordinates become `null`. Colours are sRGB, 0 to 255.
 pub fn mesh_json(mesh: &JsonMesh<'_>) -> String {
@@ -36,5 +36,5 @@ pub fn mesh_json(mesh: &JsonMesh<'_>) -> String {
     let [positions, colours, triangles] = [json!(positions), json!(mesh.colours_srgb), json!(mesh.triangles)];
     let about = mesh.about.as_ref().map(|about| format!(r#","about":{about}"#)).unwrap_or_default();
     let units = mesh.units.id();
-    format!(r#"{{"units":"{units}","positions":{positions},"colors":{colours},"triangles":{triangles}{about}}}"#)
+    format!(r#"{{"units":"{units}","positions":{positions},"colours":{colours},"triangles":{triangles}{about}}}"#)
 }
