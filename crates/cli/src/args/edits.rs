@@ -61,7 +61,7 @@ pub struct SettingsArguments {
     /// Influence radius along the surface, in the units of the edits; vertices beyond it do not move
     #[arg(long, value_name = "RADIUS", allow_negative_numbers = true, value_parser = settings::radius)]
     pub radius: Option<f64>,
-    /// Mirror the edit to the other side of the face; only in millimetres
+    /// Mirror the edit to the other side of the face; only with --units mm
     #[arg(long)]
     pub mirror: bool,
     /// Rotate the surface's details with it (as rigid as possible)
@@ -99,7 +99,7 @@ fn region_help() -> String {
 fn expression_help() -> String {
     let names = listed(Expression::ALL, Expression::id);
     format!(
-        "Set the weight of an expression from 0 to 1, such as jawOpen:0.6; repeatable. Only in millimetres. Left and right are the subject's.\n\nExpressions: {names}"
+        "Set the weight of an expression from 0 to 1, such as jawOpen:0.6; repeatable. Only with --units mm. Left and right are the subject's.\n\nExpressions: {names}"
     )
 }
 

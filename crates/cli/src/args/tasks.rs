@@ -91,7 +91,7 @@ pub struct MeshTask {
     #[arg(long, default_value = BaseColour::default().id(),
         value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
     pub base_colour: BaseColour,
-    /// Maximum length of the texture's longer side
+    /// Maximum length of the texture's longer side, in px
     #[arg(long, value_name = "PX", default_value = TextureSize::default().id(),
         value_parser = one_of("texture-size", TextureSize::ALL, TextureSize::id, TextureSize::from_id))]
     pub texture_size: TextureSize,
