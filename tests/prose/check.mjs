@@ -1,4 +1,4 @@
-/** Turns that make a text read like a translation, found by the rules in this folder. */
+/** Finds phrases that read like a translation, by the rules in this folder. */
 
 import { execFileSync } from "node:child_process";
 import { existsSync, readdirSync } from "node:fs";
@@ -8,7 +8,7 @@ import { fromYAMLFilePath } from "prh";
 export const ROOT = join(import.meta.dirname, "../..");
 
 const PROSE = /(?:\.(?:md|rs|wgsl|js|mjs|ts|py|pyi|css|html|toml|ya?ml|jsonc|cff|sh|webmanifest)|(?:^|\/)package\.json|^web\/words\/\w+\.json)$/;
-/** The rules quote the turns that they find. */
+/** The rules quote the phrases that they find. */
 const ELSEWHERE = /^tests\/prose\/|(?:^|\/)Cargo\.lock$/;
 /** Folders without sources, as far as no `.gitignore` is read. */
 const BUILT = new Set([".git", "node_modules", "target", "dist"]);

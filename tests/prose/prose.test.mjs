@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { ROOT, described, filesWithProse, hitsIn } from "./check.mjs";
 
-/** Texts that each hold one turn, with the path that chooses the rules, the line and the start of the suggestion. */
+/** Texts with one phrase each, with the path that chooses the rules, the line and the start of the suggestion. */
 const PLANTED = [
   { kind: "Rust doc comment", file: "a.rs", text: "\n/// What the mesh holds.\nfn held() {}\n", line: 2, suggestion: "name the thing" },
   { kind: "clap help line", file: "args.rs", text: "#[arg(long)]\n/// So many threads at most\njobs: usize,\n", line: 2, suggestion: "the parameter's name" },
