@@ -126,10 +126,16 @@ fn sources(package: &Value) -> Vec<(String, String)> {
 
 fn lines(file: &Path) -> Vec<(String, String)> {
     let text = std::fs::read_to_string(file).unwrap();
-    let ships =
-        |line: &&str| !["#[cfg(test)]", "#[cfg(all(test"].iter().any(|test| line.trim_start().starts_with(test));
-    let code = text.lines().take_while(ships).enumerate().filter(|(_, line)| !line.trim_start().starts_with("//"));
-    code.map(|(index, line)| (format!("{}:{}", file.display(), index + 1), line.to_owned())).collect()
+    let mut code: Vec<_> = text.lines().enumerate().filter(|(_, line)| !line.trim_start().starts_with("//")).collect();
+    let is_test =
+        |line: &str| ["#[cfg(test)]", "#[cfg(all(test"].iter().any(|test| line.trim_start().starts_with(test));
+    while let Some(start) = code.iter().position(|(_, line)| is_test(line)) {
+        let item = code[start..].iter().position(|(_, line)| !line.trim_start().starts_with("#["));
+        // An item of one line, or a module up to the end of the file.
+        let end = item.map(|item| start + item).filter(|&item| code[item].1.ends_with(';'));
+        code.drain(start..end.map_or(code.len(), |item| item + 1));
+    }
+    code.into_iter().map(|(index, line)| (format!("{}:{}", file.display(), index + 1), line.to_owned())).collect()
 }
 
 fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {

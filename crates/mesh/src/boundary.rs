@@ -4,16 +4,22 @@ use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
 
 use crate::Topology;
+use crate::topology::corners;
 
-/// See [`Topology::boundary_loops`].
-pub(crate) fn loops(surface: &Topology) -> Vec<Vec<u32>> {
-    let mut rim = Rim::of(surface);
-    let mut loops = Vec::new();
-    while let Some(side) = rim.open.pop_first() {
-        rim.walk(side, &mut loops);
+impl Topology {
+    /// The boundary loops, each a cycle of vertices with the surface on its left; longest first, then by lowest vertex.
+    ///
+    /// A loop does not repeat a vertex; loops that share a vertex are separate. Inconsistent winding can interrupt a
+    /// boundary, which is then returned as an open path.
+    pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
+        let mut rim = Rim::of(self);
+        let mut loops = Vec::new();
+        while let Some(side) = rim.open.pop_first() {
+            rim.walk(side, &mut loops);
+        }
+        loops.sort_by_key(|cycle: &Vec<u32>| (Reverse(cycle.len()), cycle.iter().min().copied()));
+        loops
     }
-    loops.sort_by_key(|cycle: &Vec<u32>| (Reverse(cycle.len()), cycle.iter().min().copied()));
-    loops
 }
 
 /// The boundary sides of a surface, with the adjacency to walk along them.
@@ -72,11 +78,6 @@ impl<'a> Rim<'a> {
         }
         self.open.range([at, 0]..=[at, u32::MAX]).next().copied()
     }
-}
-
-/// For each triangle, its three directed sides, each with the opposite corner.
-pub(crate) fn corners(triangles: &[[u32; 3]]) -> impl Iterator<Item = [u32; 3]> {
-    triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]])
 }
 
 #[cfg(test)]

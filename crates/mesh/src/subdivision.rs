@@ -6,8 +6,8 @@ use std::ops::{Add, Mul, Sub};
 use glam::DVec3;
 
 use crate::Topology;
-use crate::boundary::corners;
 use crate::stencils::Stencils;
+use crate::topology::corners;
 
 /// Loop subdivision of a cage, as a sparse matrix from values on the cage to values on the dense mesh.
 ///

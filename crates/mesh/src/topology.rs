@@ -1,4 +1,4 @@
-use crate::{MeshError, boundary};
+use crate::MeshError;
 
 /// The vertices and triangles of a mesh, without positions.
 ///
@@ -79,14 +79,6 @@ impl Topology {
         }
         component
     }
-
-    /// The boundary loops, each a cycle of vertices with the surface on its left; longest first, then by lowest vertex.
-    ///
-    /// A loop does not repeat a vertex; loops that share a vertex are separate. Inconsistent winding can interrupt a
-    /// boundary, which is then returned as an open path.
-    pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
-        boundary::loops(self)
-    }
 }
 
 fn check_triangle(triangle: usize, corners: [u32; 3], vertex_count: usize) -> Result<(), MeshError> {
@@ -103,8 +95,13 @@ fn check_triangle(triangle: usize, corners: [u32; 3], vertex_count: usize) -> Re
     Ok(())
 }
 
+/// For each triangle, its three directed sides, each with the opposite corner.
+pub(crate) fn corners(triangles: &[[u32; 3]]) -> impl Iterator<Item = [u32; 3]> {
+    triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]])
+}
+
 fn undirected_edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let mut edges: Vec<[u32; 2]> = boundary::corners(triangles).map(|[a, b, _]| [a.min(b), a.max(b)]).collect();
+    let mut edges: Vec<[u32; 2]> = corners(triangles).map(|[a, b, _]| [a.min(b), a.max(b)]).collect();
     edges.sort_unstable();
     edges.dedup();
     edges

@@ -22,7 +22,6 @@ mod live_preview;
 mod marks;
 mod names;
 mod open_face;
-mod preferences;
 mod rows;
 mod seeds;
 mod selection;

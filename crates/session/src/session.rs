@@ -6,6 +6,7 @@ mod live_preview;
 mod opening;
 mod photo;
 mod pointing;
+mod preferences;
 mod selecting;
 mod texturing;
 mod transaction;
@@ -20,7 +21,6 @@ use crate::open_face::OpenFace;
 use crate::seeds::Seeds;
 use crate::strokes::Strokes;
 use crate::{Changed, EditOptions, Intent, SelectionMode, SessionError, View, marks};
-pub(crate) use appearance::checked;
 pub use photo::BRUSH_PX;
 
 /// A user's session: the open face, settings, selection, edit in progress and view.

@@ -5,7 +5,7 @@ use rosto_face::DISTANCES_M;
 use rosto_warp::Dab;
 use serde_json::{Value, json};
 
-use crate::{OpenFace, SessionError};
+use crate::SessionError;
 
 /// Maximum number of dabs.
 const MAX_DABS: usize = 20_000;
@@ -66,25 +66,16 @@ impl Strokes {
     pub(crate) fn clear(&mut self) {
         self.undone.extend(self.done.drain(..).rev());
     }
-}
 
-impl OpenFace {
-    /// The photo-edit data for a file; `None` without photo edits.
-    pub(crate) fn photo_edit_json(&self) -> Option<String> {
-        let photo = self.photo();
-        (photo.seen_from_m().is_some() || photo.strokes().count() > 0).then(|| self.photo_json())
-    }
-
-    /// View distance and strokes of the photo, as JSON text for [`Work::photo`](crate::Work::photo).
-    pub fn photo_json(&self) -> String {
+    /// View distance and strokes as JSON text, for [`Work::photo`](crate::Work::photo).
+    pub(crate) fn to_json(&self, seen_from_m: Option<f64>) -> String {
         let dab = |dab: &Dab| json!([dab.centre_px.x, dab.centre_px.y, dab.radius_px]);
-        let strokes = self.photo().strokes();
-        let protected: Vec<Value> = strokes.done.iter().map(|stroke| stroke.iter().map(dab).collect()).collect();
-        json!({ "seen_from_m": self.photo().seen_from_m(), "kept_px": protected }).to_string()
+        let protected: Vec<Value> = self.done.iter().map(|stroke| stroke.iter().map(dab).collect()).collect();
+        json!({ "seen_from_m": seen_from_m, "kept_px": protected }).to_string()
     }
 }
 
-/// Reads the text written by [`OpenFace::photo_json`].
+/// Reads the text written by [`Strokes::to_json`].
 pub(crate) fn read(text: &str) -> Result<(Option<f64>, Strokes), SessionError> {
     let invalid = |field| SessionError::PhotoEdit { field };
     let value: Value = serde_json::from_str(text).map_err(|_| invalid("JSON"))?;

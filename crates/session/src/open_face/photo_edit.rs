@@ -137,6 +137,16 @@ impl OpenFace {
         self.photo.invalidate();
     }
 
+    /// View distance and strokes of the photo, as JSON text for [`Work::photo`](crate::Work::photo).
+    pub fn photo_json(&self) -> String {
+        self.photo.strokes.to_json(self.photo.seen_from_m)
+    }
+
+    /// The photo-edit data for a file; `None` without photo edits.
+    pub(crate) fn photo_edit_json(&self) -> Option<String> {
+        (self.photo.seen_from_m.is_some() || self.photo.strokes.count() > 0).then(|| self.photo_json())
+    }
+
     /// Restores the data written by [`Self::photo_json`].
     pub(crate) fn restore_photo(&mut self, seen_from_m: Option<f64>, strokes: Strokes) {
         (self.photo.seen_from_m, self.photo.strokes) = (seen_from_m, strokes);

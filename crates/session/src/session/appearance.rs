@@ -69,7 +69,7 @@ impl Session {
     }
 }
 
-pub(crate) fn checked(light: Light) -> Result<Light, SessionError> {
+pub(super) fn checked(light: Light) -> Result<Light, SessionError> {
     within("the light's azimuth in degrees", light.azimuth_deg, -360.0, 360.0)?;
     within("the light's elevation in degrees", light.elevation_deg, -90.0, 90.0)?;
     within("the light's strength", light.strength, 0.0, 10.0)?;

@@ -1,11 +1,11 @@
 use rosto_face::canonical_positions_m;
 use rosto_stage::Scene;
 
-use super::{Result, Session};
+use super::{Result, Session, preferences};
 use crate::gesture::{Gesture, Hovered};
 use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
-use crate::{Changed, EditOptions, Motion, Selection, SelectionMode, SessionError, preferences};
+use crate::{Changed, EditOptions, Motion, Selection, SelectionMode, SessionError};
 
 /// Opening and closing faces.
 impl Session {

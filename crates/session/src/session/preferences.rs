@@ -8,8 +8,10 @@ use rosto_stage::{Background, Dots, Lens, Light, PictureLight, Scene, ShadingMod
 use rosto_studio::{ConstraintKind, Details, FALLOFF_BAND_SHARES, Mirror, Operator, Switch};
 use serde_json::{Value, json};
 
+use super::Session;
+use super::appearance::checked;
 use crate::error::SessionError;
-use crate::{AnchorChoice, EditOptions, SelectionMode, Session, TextureSource, Turntable, View};
+use crate::{AnchorChoice, EditOptions, SelectionMode, TextureSource, Turntable, View};
 
 /// The contents of the text.
 pub(crate) struct Preferences {
@@ -128,7 +130,7 @@ fn light(value: &Value) -> Option<Light> {
     let numbers: Option<Vec<f64>> = value["light"].as_array()?.iter().map(Value::as_f64).collect();
     let [azimuth_deg, elevation_deg, strength, ambient] = numbers?[..] else { return None };
     let light = Light { azimuth_deg, elevation_deg, strength, ambient, colour: colour(&value["light_colour"])? };
-    crate::session::checked(light).ok()
+    checked(light).ok()
 }
 
 fn colour(value: &Value) -> Option<Srgb> {
