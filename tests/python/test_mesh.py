@@ -39,7 +39,7 @@ def test_accepts_the_command_lines_options(portrait, command_line, tmp_path):
 
 
 def test_arrays_are_consistent_and_the_landmark_moves_by_its_offset(portrait):
-    rest, moved = rosto.mesh(portrait), rosto.mesh(portrait, [rosto.Vertex(1, (0, 0, 5))], hold="exact")
+    rest, moved = rosto.mesh(portrait), rosto.mesh(portrait, [rosto.Vertex(1, (0, 0, 5))], constraint="exact")
     assert rest.positions_m.shape == (7257, 3) and rest.colours.shape == (7257, 3) and rest.uvs.shape == (7257, 2)
     assert rest.triangles.min() == 0 and rest.triangles.max() == 7256
     assert np.allclose(moved.positions_m[1] - rest.positions_m[1], [0, 0, 0.005], atol=1e-12)
@@ -101,7 +101,7 @@ def test_several_images_of_one_head_give_one_face(portrait, pixels):
         (lambda photo: rosto.mesh(photo).to_bytes("json", units="image"), ["image coordinates", "--units mm"]),
         (lambda photo: rosto.mesh(np.zeros((64, 64, 3), np.uint8)), ["no face", "tenth of the picture"]),
         (lambda photo: rosto.mesh(b"plain text"), ["not a picture"]),
-        (lambda photo: rosto.mesh([photo] * 6), ["6 photos of one face; 1 to 5"]),
+        (lambda photo: rosto.mesh([photo] * 6), ["6 photos of one face; give 1 to 5"]),
     ],
 )
 def test_errors_state_the_cause_and_a_remedy(portrait, work, words):

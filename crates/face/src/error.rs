@@ -38,7 +38,7 @@ pub enum FaceError {
     #[error("the landmarks are collinear, so the face has no orientation")]
     Degenerate,
     /// No photos or too many.
-    #[error("{found} photos of one face; the number has to be 1 to {most}")]
+    #[error("{found} photos of one face; give 1 to {most}")]
     PhotoCount {
         /// Number of photos passed.
         found: usize,
