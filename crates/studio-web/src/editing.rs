@@ -22,7 +22,7 @@ impl Studio {
     ///
     /// # Errors
     /// `bad-choice`.
-    pub fn edit_options(&self, choice: &str) -> Result<Vec<String>, JsValue> {
+    pub fn choices(&self, choice: &str) -> Result<Vec<String>, JsValue> {
         Ok(FacadeError::require(Choice::from_id(choice))?.values())
     }
 
