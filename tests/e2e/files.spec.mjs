@@ -16,7 +16,7 @@ test("the first valid file of several is opened, and a notice says so", async ({
   for (const way of /** @type {const} */ (["drop", "paste"])) {
     await bring(page, way, [notes, phone, photo]);
     await visitor.untilFace();
-    assert.match((await visitor.notice()).text, /^One of 3 files is opened\s+me & you\.png: one face at a time\.$/);
+    assert.match((await visitor.notice()).text, /^Opened one of 3 files\s+me & you\.png is open\. You can open one face at a time\.$/);
     await page.selectOption("#language", "pt");
     assert.match((await visitor.notice()).text, /^Um de 3 arquivos foi aberto/);
     await page.selectOption("#language", "en");
@@ -28,7 +28,7 @@ test("the first valid file of several is opened, and a notice says so", async ({
   // The MIME type counts if the name has no extension. A file that cannot be opened shows an error.
   await bring(page, "drop", [notes, { ...photo, name: "portrait" }]);
   await visitor.untilFace();
-  assert.match((await visitor.notice()).text, /One of 2 files/);
+  assert.match((await visitor.notice()).text, /Opened one of 2 files/);
   await bring(page, "drop", [notes, phone]);
   await page.waitForSelector("#notice[data-code='unsupported-format']");
 });

@@ -13,13 +13,13 @@ for (const [{ width, height }, tag] of variants([{ width: 1280, height: 720 }, {
     await page.evaluate(recordAnnouncements);
     await visitor.download("save-project");
     assert.ok(await page.isVisible("#toast"));
-    assert.equal(await page.innerText("#toast"), "portrait.rosto is in your downloads");
+    assert.equal(await page.innerText("#toast"), "portrait.rosto saved to your downloads");
     const [toast, toolbar, stage] = await Promise.all(["toast", "toolbar", "stage"].map((id) => page.locator(`#${id}`).boundingBox()));
     assert.ok(toast.y + toast.height <= toolbar.y && toast.x >= stage.x && toast.x + toast.width <= stage.x + stage.width);
     // Screen readers read the live region instead.
     assert.equal(await page.getAttribute("#toast", "aria-hidden"), "true");
     await page.waitForSelector("#toast", { state: "hidden", timeout: TOAST_MS });
-    assert.deepEqual(await page.evaluate("announcements"), ["portrait.rosto is in your downloads"]);
+    assert.deepEqual(await page.evaluate("announcements"), ["portrait.rosto saved to your downloads"]);
   });
 }
 

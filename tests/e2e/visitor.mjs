@@ -354,6 +354,7 @@ export class Visitor {
 
   /** Number of the selected landmark. */
   async selectedLandmark() {
+    await this.enableExpert();
     return Number((await this.page.inputValue("#landmark-search")).match(/\d+$/)?.[0]);
   }
 
