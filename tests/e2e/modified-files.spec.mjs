@@ -50,7 +50,7 @@ test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a h
 
   await editor.drop(withView(parts, shape, wider), "wider.glb");
   await page.waitForSelector("#notice[data-code='changed-elsewhere']");
-  assert.match((await editor.notice()).text, /changed by another program\s+It opens as it was saved here/);
+  assert.match((await editor.notice()).text, /Another program changed this file\s+It opens as it was saved here/);
   assert.deepEqual((await editor.meshJson("mm")).positions, positions);
   await editor.drop(glb, "as-saved.glb");
   await page.waitForSelector("#notice", { state: "hidden" });
