@@ -92,7 +92,7 @@ async function edit(visitor) {
  */
 async function paint(visitor, name) {
   await edit(visitor);
-  await visitor.reveal(`#shading [value="${name}"]`);
+  await visitor.reveal(`[name="shading"][value="${name}"]`);
   await visitor.page.check(`input[name="shading"][value="${name}"]`, { force: true });
 }
 
