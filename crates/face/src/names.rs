@@ -4,7 +4,7 @@ use crate::mirror_of;
 mod table;
 
 /// Identifier of a landmark: its anatomical name, such as `left-mouth-corner`, or its part and number, such as
-/// `left-cheek-425`.
+/// `left-cheek-427`.
 ///
 /// Identifiers are unique; sides are the subject's.
 ///

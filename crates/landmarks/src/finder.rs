@@ -67,7 +67,7 @@ pub enum Stage {
 
 /// Least presence of a face, as in MediaPipe.
 pub(crate) const MIN_PRESENCE: f32 = 0.5;
-/// Least confidence of a face. In the scenes of docs/detection.md, correct meshes reach at least 0.8, except for faces
+/// Least confidence of a face. In the scenes of docs/accuracy.md, correct meshes reach at least 0.8, except for faces
 /// largely cut off by the border.
 const MIN_CONFIDENCE: f32 = 0.7;
 

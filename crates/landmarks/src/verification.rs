@@ -1,7 +1,7 @@
 //! Verification of detections: iterates the landmark network on its own region, and cross-checks with the detector.
 //!
 //! The landmark network outputs a well-shaped mesh for any input. For an upside-down head or folds of cloth it can do
-//! so repeatedly, with a presence of 0.99. On the scenes of docs/detection.md, the residual of the best similarity
+//! so repeatedly, with a presence of 0.99. On the scenes of docs/accuracy.md, the residual of the best similarity
 //! transform between a mesh and the average face does not separate wrong meshes from correct ones. Three checks do:
 //! successive passes agree; the detector, on a close-up aligned with the mesh, has a high score and its key points
 //! match the mesh; and its score on the close-up rotated by 180° is lower.

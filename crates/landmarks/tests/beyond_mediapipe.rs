@@ -1,4 +1,4 @@
-//! Faces found beyond MediaPipe, on a subset of the scenes of docs/detection.md.
+//! Faces found beyond MediaPipe, on a subset of the scenes of docs/accuracy.md.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

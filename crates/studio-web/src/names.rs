@@ -10,7 +10,7 @@ use crate::state::{StudioEntry, StudioRange, StudioSlider, StudioTarget};
 /// Ids and ranges for the panels; the page has the words.
 #[wasm_bindgen]
 impl Studio {
-    /// Ids of the landmarks, in order, such as "left-mouth-corner" or "left-cheek-425".
+    /// Ids of the landmarks, in order, such as "left-mouth-corner" or "left-cheek-427".
     #[wasm_bindgen(getter, js_name = landmarkIds)]
     pub fn landmark_ids(&self) -> Vec<String> {
         (0..LANDMARK_COUNT as u32).map(landmark_id).collect()

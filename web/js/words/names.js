@@ -32,7 +32,7 @@ export function setPointNumbersShown(shown) {
 /**
  * A landmark's anatomical name, or the name of its part of the face.
  *
- * @param {string} id such as "left-mouth-corner" or "left-cheek-425"
+ * @param {string} id such as "left-mouth-corner" or "left-cheek-427"
  */
 export function landmarkName(id) {
   const part = /^(?<part>.*)-\d+$/.exec(id)?.groups?.["part"];
