@@ -33,11 +33,11 @@ impl Continuation {
         let operator = operator.matrix(topology, positions)?;
         let squared = gauge_fixed(&(operator.transpose() * &operator), &component);
         let form = Dirichlet::new(&squared, &component, known, ConstraintKind::Hard)?;
-        Ok(Self { form, scratch: Scratch::default() })
+        Ok(Self { scratch: form.factor.scratch(), form })
     }
 
-    /// Writes one value per vertex to `out`, from one value per known vertex in the order of [`Self::new`]. Allocates
-    /// only on the first call.
+    /// Writes one value per vertex to `out`, from one value per known vertex in the order of [`Self::new`], without an
+    /// allocation.
     ///
     /// # Panics
     /// If the lengths of `known` and `out` are not the numbers of known vertices and of vertices.

@@ -1,60 +1,29 @@
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
+use faer::sparse::linalg::cholesky::supernodal::{SupernodalLltRef, SupernodeRef};
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Par, Side};
+use faer::{ColMut, Conj, MatMut, Par, Side};
+use nalgebra::{DMatrix, DVectorView};
 use nalgebra_sparse::CsrMatrix;
 
 use crate::LaplacianError;
-use crate::kernels::{add_scaled, dot};
 
 /// Sparse Cholesky factorisation `P A Pᵀ = L Lᵀ` of a symmetric positive definite matrix, with a fill-reducing
-/// permutation `P`.
-///
-/// `L` is stored by supernodes: ranges of columns with one sparsity pattern, each a dense panel. faer computes the
-/// factor. The solves are implemented here, because a unit right-hand side touches only the path from its supernode to
-/// the root of the elimination tree, which makes the forward substitution cheap.
+/// permutation `P`. Computed by faer on one thread.
 pub struct Factor {
     symbolic: SymbolicCholesky<usize>,
     values: Vec<f64>,
-    /// For each vertex, its row in `L`; `vertex_of` is the inverse.
-    row_of: Vec<usize>,
-    vertex_of: Vec<usize>,
-    /// The supernode of each row of `L`.
-    supernode_of: Vec<usize>,
 }
 
-/// Scratch buffers for a solve.
-#[derive(Default)]
-pub(crate) struct Scratch {
-    rows: Vec<f64>,
-    gathered: Vec<f64>,
-}
-
-/// `L⁻¹ P e_v` for a vertex `v`: the values along the path from the supernode of `v` to the root, concatenated.
-///
-/// Two paths that meet share their remainder, so two columns overlap in a common tail only.
-#[derive(Default)]
-pub(crate) struct HalfSolved {
-    path: Vec<usize>,
-    values: Vec<f64>,
-}
-
-/// Columns `start..start + width` of `L` in column-major order: the rows of the diagonal block, then those of
-/// `pattern`.
-struct Panel<'a> {
-    start: usize,
-    width: usize,
-    pattern: &'a [usize],
-    values: &'a [f64],
-}
+/// Scratch buffer for the solves of one factor.
+pub(crate) struct Scratch(MemBuffer);
 
 impl Factor {
     /// Orders by approximate minimum degree and factors. `matrix` must store both triangles.
@@ -66,73 +35,7 @@ impl Factor {
     /// If the matrix is not square.
     pub fn new(matrix: &CsrMatrix<f64>) -> Result<Self, LaplacianError> {
         let symbolic = order(matrix);
-        let values = factorize(matrix, &symbolic)?;
-        let (vertex_of, row_of) = symbolic.perm().expect("invariant: an ordering was requested").arrays();
-        let (vertex_of, row_of) = (vertex_of.to_vec(), row_of.to_vec());
-        let supernodes = supernodes(&symbolic);
-        let widths =
-            supernodes.supernode_begin().iter().zip(supernodes.supernode_end()).map(|(begin, end)| end - begin);
-        let supernode_of = widths.enumerate().flat_map(|(s, width)| std::iter::repeat_n(s, width)).collect();
-        Ok(Self { values, row_of, vertex_of, supernode_of, symbolic })
-    }
-
-    /// `L⁻¹ P e_v` for each of `vertices`. Reads a panel once for all paths that contain it.
-    pub(crate) fn half_solve(&self, vertices: &[u32]) -> Vec<HalfSolved> {
-        let n = self.row_of.len();
-        let mut work = vec![0.0; n * vertices.len()];
-        let mut halves: Vec<HalfSolved> = vertices.iter().map(|_| HalfSolved::default()).collect();
-        let mut waiting: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for (k, &vertex) in vertices.iter().enumerate() {
-            let row = self.row_of[vertex as usize];
-            work[k * n + row] = 1.0;
-            waiting.entry(self.supernode_of[row]).or_default().push(k);
-        }
-        // Paths only ascend, so no pending path can change the lowest supernode.
-        while let Some((s, columns)) = waiting.pop_first() {
-            let panel = self.panel(s);
-            for &k in &columns {
-                let column = &mut work[k * n..(k + 1) * n];
-                panel.eliminate(column);
-                halves[k].path.push(s);
-                halves[k].values.extend_from_slice(&column[panel.start..panel.start + panel.width]);
-            }
-            if let Some(&row) = panel.pattern.first() {
-                waiting.entry(self.supernode_of[row]).or_default().extend(columns);
-            }
-        }
-        halves
-    }
-
-    /// `e_vᵀ A⁻¹ e_w` from the half-solved unit vectors of `v` and `w`.
-    pub(crate) fn inverse_entry(&self, v: &HalfSolved, w: &HalfSolved) -> f64 {
-        let from_root = v.path.iter().rev().zip(w.path.iter().rev());
-        let common: usize = from_root.take_while(|(s, t)| s == t).map(|(&s, _)| self.panel(s).width).sum();
-        dot(&v.values[v.values.len() - common..], &w.values[w.values.len() - common..])
-    }
-
-    /// Writes `L⁻¹ P b` to `rows` for a dense right-hand side `b`.
-    pub(crate) fn forward(&self, b: &[f64], rows: &mut Vec<f64>) {
-        rows.clear();
-        rows.extend(self.vertex_of.iter().map(|&vertex| b[vertex]));
-        (0..self.supernode_count()).for_each(|s| self.panel(s).eliminate(rows));
-    }
-
-    /// `e_vᵀ A⁻¹ b` from the half-solved `e_v` and `b`.
-    pub(crate) fn inverse_row(&self, v: &HalfSolved, b: &[f64]) -> f64 {
-        self.path_values(v).map(|(rows, values)| dot(values, &b[rows])).sum()
-    }
-
-    /// Adds `scale` times a half-solved unit vector to a half-solved right-hand side.
-    pub(crate) fn add(&self, half: &HalfSolved, scale: f64, rows: &mut [f64]) {
-        self.path_values(half).for_each(|(range, values)| add_scaled(&mut rows[range], scale, values));
-    }
-
-    /// Writes `Pᵀ L⁻ᵀ rows` to `out`, the second half of a solve. Overwrites `rows` and `gathered`.
-    pub(crate) fn backward(&self, rows: &mut [f64], gathered: &mut Vec<f64>, out: &mut [f64]) {
-        (0..self.supernode_count()).rev().for_each(|s| self.panel(s).substitute(rows, gathered));
-        for (value, &row) in out.iter_mut().zip(&self.row_of) {
-            *value = rows[row];
-        }
+        Ok(Self { values: factorize(matrix, &symbolic)?, symbolic })
     }
 
     /// Solves `A x = b` in place.
@@ -140,78 +43,91 @@ impl Factor {
     /// # Panics
     /// If the length of `b` is not the number of rows.
     pub fn solve(&self, b: &mut [f64]) {
-        self.solve_in(b, &mut Scratch::default());
+        self.solve_in(b, &mut self.scratch());
     }
 
-    /// [`Self::solve`] with scratch buffers; allocates only on their first use.
-    pub(crate) fn solve_in(&self, b: &mut [f64], Scratch { rows, gathered }: &mut Scratch) {
-        assert_eq!(b.len(), self.row_of.len(), "one value for each row");
-        self.forward(b, rows);
-        self.backward(rows, gathered, b);
+    /// [`Self::solve`] without an allocation, in a buffer from [`Self::scratch`].
+    pub(crate) fn solve_in(&self, b: &mut [f64], Scratch(memory): &mut Scratch) {
+        let rows = self.symbolic.nrows();
+        assert_eq!(b.len(), rows, "one value for each row");
+        let (factor, b) = (LltRef::new(&self.symbolic, &self.values), MatMut::from_column_major_slice_mut(b, rows, 1));
+        factor.solve_in_place_with_conj(Conj::No, b, Par::Seq, MemStack::new(memory));
     }
 
-    /// The row ranges on the path of a half-solved unit vector, each with its values.
-    fn path_values<'a>(&'a self, half: &'a HalfSolved) -> impl Iterator<Item = (Range<usize>, &'a [f64])> {
-        let mut values = half.values.as_slice();
-        half.path.iter().map(move |&s| {
-            let panel = self.panel(s);
-            let (own, rest) = values.split_at(panel.width);
-            values = rest;
-            (panel.start..panel.start + panel.width, own)
-        })
+    pub(crate) fn scratch(&self) -> Scratch {
+        Scratch(MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq)))
     }
 
-    fn supernode_count(&self) -> usize {
-        supernodes(&self.symbolic).n_supernodes()
+    /// Returns the entries of `A⁻¹` between these vertices: `⟨L⁻¹ P e_v, L⁻¹ P e_w⟩`.
+    ///
+    /// `L⁻¹ P e_v` is non-zero only on the path from the supernode of `v` to the root of the elimination tree, which
+    /// makes it several times cheaper than a solve. Reads a supernode once for all paths that contain it.
+    pub(crate) fn inverse_among(&self, vertices: &[u32]) -> DMatrix<f64> {
+        let (factor, (_, row_of)) = (self.supernodes(), permutation(&self.symbolic));
+        let rows = row_of.len();
+        let mut entries = DMatrix::zeros(vertices.len(), vertices.len());
+        let mut half_solved = vec![0.0; rows * vertices.len()];
+        let mut waiting: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (k, &vertex) in vertices.iter().enumerate() {
+            let row = row_of[vertex as usize];
+            half_solved[k * rows + row] = 1.0;
+            waiting.entry(supernode_of(factor, row)).or_default().push(k);
+        }
+        // Paths only ascend, so no pending path can change the lowest supernode.
+        while let Some((s, on_path)) = waiting.pop_first() {
+            let supernode = factor.supernode(s);
+            eliminate(supernode, &on_path, rows, &mut half_solved);
+            let own = |k: usize| {
+                let values = &half_solved[k * rows + supernode.start()..][..supernode.val().ncols()];
+                DVectorView::from_slice(values, values.len())
+            };
+            for (at, &i) in on_path.iter().enumerate() {
+                on_path[..=at].iter().for_each(|&j| entries[(i.max(j), i.min(j))] += own(i).dot(&own(j)));
+            }
+            if let Some(&row) = supernode.pattern().iter().min() {
+                waiting.entry(supernode_of(factor, row)).or_default().extend(on_path);
+            }
+        }
+        entries.fill_upper_triangle_with_lower_triangle();
+        entries
     }
 
-    fn panel(&self, s: usize) -> Panel<'_> {
-        let all = supernodes(&self.symbolic);
-        let begin = all.supernode_begin()[s];
-        Panel {
-            start: begin,
-            width: all.supernode_end()[s] - begin,
-            pattern: all.supernode(s).pattern(),
-            values: &self.values[all.col_ptr_for_val()[s]..all.col_ptr_for_val()[s + 1]],
+    fn supernodes(&self) -> SupernodalLltRef<'_, usize, f64> {
+        match self.symbolic.raw() {
+            SymbolicCholeskyRaw::Supernodal(symbolic) => SupernodalLltRef::new(symbolic, &self.values),
+            SymbolicCholeskyRaw::Simplicial(_) => unreachable!("invariant: a supernodal factorisation was requested"),
         }
     }
 }
 
-impl Panel<'_> {
-    /// One step of the forward substitution `x ← L⁻¹ x`.
-    fn eliminate(&self, x: &mut [f64]) {
-        let height = self.width + self.pattern.len();
-        for (j, column) in self.values.chunks_exact(height).enumerate() {
-            let row = self.start + j;
-            x[row] /= column[j];
-            let value = x[row];
-            add_scaled(&mut x[row + 1..self.start + self.width], -value, &column[j + 1..self.width]);
-            for (&row, &entry) in self.pattern.iter().zip(&column[self.width..]) {
-                x[row] -= entry * value;
-            }
-        }
-    }
+/// The supernode that contains a row of `L`.
+fn supernode_of(factor: SupernodalLltRef<'_, usize, f64>, row: usize) -> usize {
+    factor.symbolic().supernode_end().partition_point(|&end| end <= row)
+}
 
-    /// One step of the backward substitution `x ← L⁻ᵀ x`; overwrites `gathered`.
-    fn substitute(&self, x: &mut [f64], gathered: &mut Vec<f64>) {
-        let height = self.width + self.pattern.len();
-        gathered.clear();
-        gathered.extend(self.pattern.iter().map(|&row| x[row]));
-        for (j, column) in self.values.chunks_exact(height).enumerate().rev() {
-            let row = self.start + j;
-            let below = dot(&column[j + 1..self.width], &x[row + 1..self.start + self.width]);
-            x[row] = (x[row] - below - dot(&column[self.width..], gathered)) / column[j];
+/// The part of the forward substitution `x ← L⁻¹ x` that belongs to the columns of one supernode, for the vectors
+/// `on_path` among the concatenated `xs`.
+fn eliminate(supernode: SupernodeRef<'_, usize, f64>, on_path: &[usize], rows: usize, xs: &mut [f64]) {
+    let (start, width) = (supernode.start(), supernode.val().ncols());
+    let mut column = vec![0.0; supernode.val().nrows()];
+    for j in 0..width {
+        ColMut::from_slice_mut(&mut column).copy_from(supernode.val().col(j));
+        let (own, below) = column.split_at(width);
+        for &k in on_path {
+            let x = &mut xs[k * rows..(k + 1) * rows];
+            let value = x[start + j] / own[j];
+            x[start + j] = value;
+            x[start + j + 1..start + width].iter_mut().zip(&own[j + 1..]).for_each(|(x, entry)| *x -= entry * value);
+            supernode.pattern().iter().zip(below).for_each(|(&row, entry)| x[row] -= entry * value);
         }
     }
 }
 
 /// The symbolic factorisation of the sparsity pattern, supernodal for any matrix.
 fn order(matrix: &CsrMatrix<f64>) -> SymbolicCholesky<usize> {
-    let params = CholeskySymbolicParams {
-        // A negative threshold selects supernodes even for a diagonal matrix, whose factorisation costs no flops.
-        supernodal_flop_ratio_threshold: SupernodalThreshold(-1.0),
-        ..Default::default()
-    };
+    // A negative threshold selects supernodes even for a diagonal matrix, whose factorisation costs no flops.
+    let supernodal_flop_ratio_threshold = SupernodalThreshold(-1.0);
+    let params = CholeskySymbolicParams { supernodal_flop_ratio_threshold, ..Default::default() };
     factorize_symbolic_cholesky(pattern(matrix), Side::Lower, SymmetricOrdering::Amd, params)
         .expect("invariant: the pattern fits in memory and its indices fit in usize")
 }
@@ -232,10 +148,14 @@ fn factorize(matrix: &CsrMatrix<f64>, symbolic: &SymbolicCholesky<usize>) -> Res
     match outcome {
         Ok(_) => Ok(values),
         Err(LltError::NonPositivePivot { index }) => {
-            let order = symbolic.perm().expect("invariant: an ordering was requested");
-            Err(LaplacianError::BadlyScaled { vertex: order.arrays().0[index] as u32 })
+            Err(LaplacianError::BadlyScaled { vertex: permutation(symbolic).0[index] as u32 })
         }
     }
+}
+
+/// The vertex of each row of `L`, and the row of each vertex.
+fn permutation(symbolic: &SymbolicCholesky<usize>) -> (&[usize], &[usize]) {
+    symbolic.perm().expect("invariant: an ordering was requested").arrays()
 }
 
 /// The pattern as faer's column-major type; the CSR storage of a symmetric matrix is also its CSC storage.
@@ -247,11 +167,4 @@ fn pattern(matrix: &CsrMatrix<f64>) -> SymbolicSparseColMatRef<'_, usize> {
         None,
         matrix.col_indices(),
     )
-}
-
-fn supernodes(symbolic: &SymbolicCholesky<usize>) -> &SymbolicSupernodalCholesky<usize> {
-    match symbolic.raw() {
-        SymbolicCholeskyRaw::Supernodal(supernodes) => supernodes,
-        SymbolicCholeskyRaw::Simplicial(_) => unreachable!("invariant: a supernodal factorisation was requested"),
-    }
 }

@@ -5,7 +5,7 @@
 //! | once per | type | cost |
 //! |---|---|---|
 //! | mesh and operator | [`LaplacianSystem`] | a sparse factorisation |
-//! | handles and anchors | [`Response`] | a back-substitution per handle |
+//! | handles and anchors | [`Response`] | a solve per handle |
 //! | slider tick | [`Response::displace`] | `n` multiply-adds per handle |
 //!
 //! ```
@@ -41,7 +41,6 @@ mod fairing;
 mod falloff;
 mod gauge_fixed;
 mod geodesics;
-mod kernels;
 mod operator;
 mod peaks;
 mod response;

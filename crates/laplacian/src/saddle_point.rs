@@ -12,23 +12,15 @@ pub(crate) struct SaddlePoint {
 }
 
 impl SaddlePoint {
-    /// `entry(i, j)` returns `Φ` between the `i`-th and `j`-th constrained vertex, for `i ≤ j`.
-    pub(crate) fn new(
-        constrained: &[u32],
-        component: &[u32],
-        kind: ConstraintKind,
-        entry: impl Fn(usize, usize) -> f64,
-    ) -> Self {
+    /// `entries` is `Φ_SS`.
+    pub(crate) fn new(constrained: &[u32], component: &[u32], kind: ConstraintKind, entries: &DMatrix<f64>) -> Self {
         let mut touched: Vec<u32> = constrained.iter().map(|&vertex| component[vertex as usize]).collect();
         touched.sort_unstable();
         touched.dedup();
         let k = constrained.len();
         let mut system = DMatrix::zeros(k + touched.len(), k + touched.len());
+        system.view_mut((0, 0), (k, k)).copy_from(entries);
         for j in 0..k {
-            for i in 0..=j {
-                let value = entry(i, j);
-                (system[(i, j)], system[(j, i)]) = (value, value);
-            }
             system[(j, j)] += kind.compliance();
             let own = k + touched.partition_point(|&other| other < component[constrained[j] as usize]);
             (system[(own, j)], system[(j, own)]) = (1.0, 1.0);

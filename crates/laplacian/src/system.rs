@@ -45,7 +45,7 @@ impl LaplacianSystem {
         self.operator.row_iter().map(row).collect()
     }
 
-    /// Returns a system with these anchors in its factorisation, or `None` for fewer than 256 anchors.
+    /// Returns a system with these anchors in its factorisation, or `None` for fewer than 64 anchors.
     ///
     /// From that number on, [`Self::respond`] factors again for each choice of handles, and the returned system does not.
     ///
@@ -56,7 +56,7 @@ impl LaplacianSystem {
         are_many.then(|| AnchoredSystem::new(&self.form, constraints)).transpose()
     }
 
-    /// Returns the response of every vertex to the handles, with one back-substitution per handle.
+    /// Returns the response of every vertex to the handles, with one solve per handle.
     ///
     /// # Errors
     /// If a constraint names a vertex outside the mesh, constraints contradict each other, or a component with a handle
