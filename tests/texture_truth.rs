@@ -37,7 +37,7 @@ impl Head {
     /// A head with the shape of a face, textured in canonical coordinates.
     pub fn new(landmarks_m: &[DVec3], texture: Photo) -> Self {
         let topology = Triangulation::Canonical.topology();
-        let rest = Rest::new(topology, landmarks_m.to_vec(), CoordinateFrame::Model);
+        let rest = Rest::of_landmarks(topology, landmarks_m.to_vec(), CoordinateFrame::Model);
         let mut mesh = Document::new(rest).expect("the mesh is valid");
         mesh.set_density(SMOOTH_DENSITY).expect("the density is in range");
         let (places_m, atlas_uvs) = (mesh.rest().to_vec(), mesh.from_cage(&canonical_uvs()));

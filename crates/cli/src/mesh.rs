@@ -208,7 +208,9 @@ pub fn steps(asked: &EditArguments, settings: &SettingsArguments, units: Units) 
 /// Builds a document of the face and applies the steps.
 pub fn edited(face: &FaceModel, steps: Vec<Step>, units: Units, density: u32) -> Result<Document, CliError> {
     let rest = match units {
-        Units::Image => Rest::new(face.topology().clone(), face.positions_image().to_vec(), CoordinateFrame::Other),
+        Units::Image => {
+            Rest::of_landmarks(face.topology().clone(), face.positions_image().to_vec(), CoordinateFrame::Other)
+        }
         Units::Mm => Rest::of_face(face),
     };
     let mut document = Document::new(rest)?;

@@ -163,7 +163,8 @@ mod tests {
 
     #[test]
     fn moving_a_pinned_vertex_releases_its_pin() {
-        let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
+        let rest =
+            Rest::of_landmarks(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
         let document = Document::new(rest).unwrap();
         let pins_for = |handle: u32, mirror: Mirror| {
             let edit_options = EditOptions { mirror, ..EditOptions::default() };

@@ -46,7 +46,7 @@ mod tests {
             *position += 1e-3 * DVec3::new((vertex as f64).sin(), (2.1 * vertex as f64).cos(), 0.0);
         });
         for (triangulation, density) in [(Triangulation::Tessellation, 0), (Triangulation::Canonical, 1)] {
-            let rest = Rest::new(triangulation.topology(), positions.clone(), CoordinateFrame::Model);
+            let rest = Rest::of_landmarks(triangulation.topology(), positions.clone(), CoordinateFrame::Model);
             let mut document = Document::new(rest).unwrap();
             document.set_density(density).unwrap();
             for slider in FaceSlider::ALL {

@@ -27,7 +27,7 @@ type Picture = Vec<[u8; 3]>;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("give a folder")?);
     std::fs::create_dir_all(&folder)?;
-    let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
+    let rest = Rest::of_landmarks(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
     let mut document = Document::new(rest)?;
     document.set_density(DENSITY)?;
     let split_face = document.split_face();

@@ -22,6 +22,8 @@ pub enum CoordinateFrame {
 pub struct Rest {
     topology: Topology,
     positions: Vec<DVec3>,
+    /// The number of landmarks of a face, which are the first vertices; 0 for any other mesh.
+    landmark_count: usize,
     oval: Vec<u32>,
     /// Edges at which lids and lips border the openings.
     creases: Vec<[u32; 2]>,
@@ -31,19 +33,33 @@ pub struct Rest {
 }
 
 impl Rest {
-    /// Creates a mesh at rest, in any unit. A mesh of landmarks in the model's frame has mirror pairs. Subdivision of a
-    /// mesh of landmarks preserves the edges of lids and lips.
-    pub fn new(topology: Topology, positions: Vec<DVec3>, frame: CoordinateFrame) -> Self {
-        let is_face = topology.vertex_count() == LANDMARK_COUNT;
-        let oval = if is_face { OVAL.to_vec() } else { longest_boundary(&topology) };
-        let (creases, rounded) = if is_face { (opening_edges(), crowded_landmarks()) } else { Default::default() };
-        let mirror = (is_face && frame == CoordinateFrame::Model).then(MirrorTable::of_landmarks);
-        Self { topology, positions, oval, creases, rounded, mirror }
+    /// A mesh that is not a face, in any unit. It has no mirror pairs.
+    pub fn of_mesh(topology: Topology, positions: Vec<DVec3>) -> Self {
+        let (oval, creases, rounded) = (longest_boundary(&topology), Vec::new(), Vec::new());
+        Self { topology, positions, landmark_count: 0, oval, creases, rounded, mirror: None }
+    }
+
+    /// A face whose vertices are the landmarks, in any unit. In the model's frame, it has mirror pairs. Subdivision
+    /// preserves the edges of lids and lips.
+    ///
+    /// # Panics
+    /// If the topology does not have 468 vertices.
+    pub fn of_landmarks(topology: Topology, positions: Vec<DVec3>, frame: CoordinateFrame) -> Self {
+        assert_eq!(topology.vertex_count(), LANDMARK_COUNT, "one vertex for each landmark");
+        Self {
+            topology,
+            positions,
+            landmark_count: LANDMARK_COUNT,
+            oval: OVAL.to_vec(),
+            creases: opening_edges(),
+            rounded: crowded_landmarks(),
+            mirror: (frame == CoordinateFrame::Model).then(MirrorTable::of_landmarks),
+        }
     }
 
     /// The mesh of a face, in its model's frame, in metres.
     pub fn of_face(face: &FaceModel) -> Self {
-        Self::new(face.topology().clone(), face.positions_m().to_vec(), CoordinateFrame::Model)
+        Self::of_landmarks(face.topology().clone(), face.positions_m().to_vec(), CoordinateFrame::Model)
     }
 }
 
@@ -111,6 +127,11 @@ impl Level {
         &self.rest.positions
     }
 
+    /// The landmarks' positions before any edit; empty unless the mesh is a face.
+    pub(crate) fn landmarks(&self) -> &[DVec3] {
+        &self.rest.positions[..self.rest.landmark_count]
+    }
+
     pub(crate) fn oval(&self) -> &[u32] {
         &self.rest.oval
     }
@@ -166,6 +187,7 @@ impl Level {
         let topology = step.topology().clone();
         let rest = Rest {
             positions: step.interpolate(&self.rest.positions),
+            landmark_count: self.rest.landmark_count,
             oval: longest_boundary(&topology),
             creases: step.creases().to_vec(),
             rounded: self.rest.rounded.clone(),

@@ -36,7 +36,8 @@ static ALLOCATOR: Counting = Counting;
 fn ticks_after_the_first_allocate_nothing() {
     for (mirror, density) in [(Mirror::Off, 0), (Mirror::On, 0), (Mirror::On, 2)] {
         let topology = Triangulation::Canonical.topology();
-        let mut document = Document::new(Rest::new(topology, canonical_positions_m(), CoordinateFrame::Model)).unwrap();
+        let mut document =
+            Document::new(Rest::of_landmarks(topology, canonical_positions_m(), CoordinateFrame::Model)).unwrap();
         document.set_density(density).unwrap();
         let settings = Settings { mirror, ..Settings::default() };
         document.prepare(EditSpec { level: 0, handles: vec![61, 17], settings }).unwrap();

@@ -71,7 +71,7 @@ impl OpenFace {
     }
 
     fn over(&mut self, triangulation: Triangulation, positions_m: Vec<DVec3>) -> Result<Document, SessionError> {
-        let rest = Rest::new(triangulation.topology(), positions_m, CoordinateFrame::Model);
+        let rest = Rest::of_landmarks(triangulation.topology(), positions_m, CoordinateFrame::Model);
         let mut document = self.document.over(rest)?;
         document.set_density(self.document.density())?;
         Ok(document)

@@ -71,7 +71,11 @@ pub fn check_thoroughly(session: &Session) -> Result<(), String> {
     if face.rows().iter().any(|row| matches!(row.status, EntryStatus::Impossible(_))) {
         return Ok(());
     }
-    let rest = Rest::new(face.triangulation().topology(), face.model().positions_m().to_vec(), CoordinateFrame::Model);
+    let rest = Rest::of_landmarks(
+        face.triangulation().topology(),
+        face.model().positions_m().to_vec(),
+        CoordinateFrame::Model,
+    );
     let replayed = Document::open(rest, entries, face.document().density()).map_err(|error| error.to_string())?;
     ensure(bits(replayed.positions()) == bits(face.document().committed()), || {
         "a replay gives another shape".to_owned()

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_face::{LANDMARK_COUNT, part_id};
+use rosto_face::part_id;
 use rosto_mesh::Topology;
 
 use super::Document;
@@ -60,9 +60,8 @@ impl Document {
     }
 
     fn nearest_landmark(&self, level: u32, vertex: u32) -> Option<u32> {
-        let rest = self.levels.get(level as usize)?.rest();
-        let is_face = self.levels[0].rest().len() == LANDMARK_COUNT;
-        rest.get(vertex as usize).filter(|_| is_face).and_then(|position| nearest(&rest[..LANDMARK_COUNT], *position))
+        let level = self.levels.get(level as usize)?;
+        nearest(level.landmarks(), *level.rest().get(vertex as usize)?)
     }
 }
 

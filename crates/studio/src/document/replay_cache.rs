@@ -92,7 +92,8 @@ mod tests {
 
     #[test]
     fn memory_stays_within_budget_and_the_latest_shapes_are_retained() {
-        let rest = Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
+        let rest =
+            Rest::of_landmarks(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
         let shape = LevelPositions::at_rest(&[Level::new(rest)]);
         let mut shapes = ReplayCache::new(shape.clone());
         shapes.budget_bytes = 20 * shape.bytes();

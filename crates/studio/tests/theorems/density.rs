@@ -39,7 +39,7 @@ fn filled_openings_do_not_change_the_surrounding_skin() {
     let positions = Document::new(portrait(Triangulation::Canonical)).unwrap().positions().to_vec();
     for density in 1..=3 {
         let [filled, open] = [Triangulation::Canonical.topology(), open_cage.clone()].map(|topology| {
-            let rest = Rest::new(topology, positions.clone(), CoordinateFrame::Model);
+            let rest = Rest::of_landmarks(topology, positions.clone(), CoordinateFrame::Model);
             let mut document = Document::new(rest).unwrap();
             document.set_density(density).unwrap();
             document
@@ -48,6 +48,39 @@ fn filled_openings_do_not_change_the_surrounding_skin() {
         let is_same = corner_bits(&filled, &skin) == corner_bits(&open, open.topology().triangles());
         assert!(is_same, "{density} subdivisions");
     }
+}
+
+#[test]
+fn only_meshes_of_landmarks_are_faces() {
+    let (topology, positions) = grid(26, 18);
+    let subdivision = LoopSubdivision::new(&topology, 1);
+    let is_on_border = |v: u32| v % 26 == 0 || v % 26 == 25 || v < 26 || v >= 17 * 26;
+    let part = |document: &Document| document.part_of(EditTarget::Point { level: 1, vertex: 200 });
+    let of_grid = || Rest::of_mesh(topology.clone(), positions.clone());
+    let mut document = Document::new(of_grid()).unwrap();
+    for _ in 0..2 {
+        assert!((0..LANDMARK_COUNT as u32).all(|vertex| document.is_on_oval(0, vertex) == is_on_border(vertex)));
+        assert_eq!(document.apply("half", Command::Symmetrise { share: 0.5 }), Err(StudioError::NoMirror));
+        document.set_density(1).unwrap();
+        assert_eq!(part(&document), None);
+        assert_eq!(document.rest(), subdivision.interpolate(&positions));
+        document = document.over(of_grid()).unwrap();
+    }
+    let mut face = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    let mut again = face.over(canonical(Triangulation::Tessellation)).unwrap();
+    for document in [&mut face, &mut again] {
+        document.set_density(1).unwrap();
+        assert!(document.is_on_oval(0, 152) && part(document).is_some());
+    }
+}
+
+/// A plane of squares, each split into two triangles.
+fn grid(columns: u32, rows: u32) -> (Topology, Vec<DVec3>) {
+    let cells = (0..rows - 1).flat_map(|y| (0..columns - 1).map(move |x| y * columns + x));
+    let triangles = cells.flat_map(|at| [[at, at + 1, at + columns + 1], [at, at + columns + 1, at + columns]]);
+    let at = |vertex: u32| DVec3::new(f64::from(vertex % columns), f64::from(vertex / columns), 0.0);
+    let count = columns * rows;
+    (Topology::new(count as usize, triangles.collect()).unwrap(), (0..count).map(at).collect())
 }
 
 /// Bits of the triangles' corner positions.

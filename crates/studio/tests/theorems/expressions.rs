@@ -242,7 +242,7 @@ fn expressions_survive_files_triangulations_and_densities() {
 #[test]
 fn meshes_without_a_face_and_invalid_weights_are_refused() {
     let express = |weight| Command::Express { expression: Expression::JawOpen, weight };
-    let image = Rest::new(Triangulation::Canonical.topology(), portrait_image(), CoordinateFrame::Other);
+    let image = Rest::of_landmarks(Triangulation::Canonical.topology(), portrait_image(), CoordinateFrame::Other);
     let mut document = Document::new(image).unwrap();
     let none = Err(StudioError::NoExpressions { vertex_count: 468 });
     assert_eq!(document.apply("", express(0.5)), none);

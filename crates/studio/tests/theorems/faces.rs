@@ -9,7 +9,7 @@ pub const MIRROR: DVec3 = DVec3::new(-1.0, 1.0, 1.0);
 
 /// The canonical face in metres; exactly symmetric.
 pub fn canonical(triangulation: Triangulation) -> Rest {
-    Rest::new(triangulation.topology(), canonical_positions_m(), CoordinateFrame::Model)
+    Rest::of_landmarks(triangulation.topology(), canonical_positions_m(), CoordinateFrame::Model)
 }
 
 /// The sample portrait's face in metres, with natural asymmetry.

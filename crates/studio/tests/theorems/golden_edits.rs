@@ -28,7 +28,8 @@ fn sequences_match_the_pseudo_inverse() {
         let canonical = case["topology"] != "tess";
         let triangulation = if canonical { Triangulation::Canonical } else { Triangulation::Tessellation };
         let operator = if case["operator"] == "D-A" { Operator::UniformSymmetric } else { Operator::Uniform };
-        let rest = Rest::new(triangulation.topology(), vectors(&golden["rest_positions"]), CoordinateFrame::Other);
+        let rest =
+            Rest::of_landmarks(triangulation.topology(), vectors(&golden["rest_positions"]), CoordinateFrame::Other);
         let mut document = Document::new(rest).unwrap();
         for step in case["steps"].as_array().unwrap() {
             let anchors = Anchors::explicit(step["anchors"].as_array().unwrap().iter().map(vertex).collect());

@@ -112,7 +112,7 @@ fn symmetrising_removes_the_given_share_of_asymmetry() {
 fn image_coordinates_have_no_mirror() {
     let topology = Triangulation::Canonical.topology();
     let positions = rosto_face::canonical_positions_m();
-    let mut document = Document::new(Rest::new(topology, positions, CoordinateFrame::Other)).unwrap();
+    let mut document = Document::new(Rest::of_landmarks(topology, positions, CoordinateFrame::Other)).unwrap();
     assert_eq!(document.prepare(mirrored_spec(4)), Err(StudioError::NoMirror));
     assert_eq!(document.apply("half", Command::Symmetrise { share: 0.5 }), Err(StudioError::NoMirror));
 }

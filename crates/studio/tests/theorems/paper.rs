@@ -42,7 +42,7 @@ fn a_trial_applies_the_small_then_the_large_offset_to_each_degree() {
 fn the_default_edit_is_the_papers_method() {
     let experiment = experiment();
     let trial = trial(&experiment, Method::default(), 3, [1; 6]);
-    let rest = Rest::new(Triangulation::Tessellation.topology(), portrait_image(), CoordinateFrame::Other);
+    let rest = Rest::of_landmarks(Triangulation::Tessellation.topology(), portrait_image(), CoordinateFrame::Other);
     let mut document = Document::new(rest).unwrap();
     for edit in trial.edits() {
         let settings = Settings { anchors: Anchors::explicit(edit.plan.anchors.to_vec()), ..Settings::default() };

@@ -16,7 +16,7 @@ const IN_PHOTO: &str = r#"{"seen_from_m":1.5,"kept_px":[[[10.0,12.5,3.0],[11.0,1
 
 /// Canonical face, on which histories are replayed.
 pub fn canonical_rest() -> Rest {
-    Rest::new(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model)
+    Rest::of_landmarks(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model)
 }
 
 /// Histories that cover the commands and settings.
