@@ -26,11 +26,14 @@ pub struct Head {
     pub texture: Photo,
 }
 
-/// Model of a face in a square picture.
+/// Observation of a face in a picture.
+pub fn observed(picture: Photo, landmarks: &[[f32; 3]], lens: PhotoLens) -> Observation {
+    Observation { found_lens: lens, lens, ..Observation::in_photo(&picture, landmarks.to_vec()) }
+}
+
+/// Model of a face in a picture.
 pub fn face(picture: Photo, landmarks: &[[f32; 3]], lens: PhotoLens) -> FaceModel {
-    let (width, height, colours) = (picture.width(), picture.height(), [[0; 3]; LANDMARK_COUNT]);
-    let input = FaceInput { landmarks, width, height, colours: &colours, picture, lens };
-    FaceModel::new(input, Triangulation::Canonical).expect("the landmarks form a face")
+    FaceModel::new(observed(picture, landmarks, lens), Triangulation::Canonical).expect("the landmarks form a face")
 }
 
 impl Head {
@@ -170,7 +173,8 @@ impl Head {
     /// The photo projected onto the mesh, regardless of visibility.
     pub fn projected(&self, face: &FaceModel, side_px: usize) -> Photo {
         let places = self.mesh.from_cage(face.uvs());
-        let (sampler, size) = (Sampler::new(face.picture()), f64::from(face.picture().width()));
+        let picture = face.picture().expect("the face has its picture");
+        let (sampler, size) = (Sampler::new(picture), f64::from(picture.width()));
         let mut pixels = vec![[0; 3]; side_px * side_px];
         self.over_the_texture(side_px, |texel, corners, shares| {
             let [a, b, c] = corners.map(|corner| places[corner as usize] * size);

@@ -10,11 +10,24 @@ export function changedProject(file, change) {
   return Buffer.concat([Buffer.from(JSON.stringify(change(header) ?? header)), file.subarray(end)]);
 }
 
+/** Byte offsets in the observation of a photo. */
+const [WIDTH_AT, LANDMARKS_AT] = [1, 11];
+
+/** Sets the width of the first photo to 0 px. @param {{ photos: { observation: string }[] }} fields of a project or GLB */
+export function removeWidth(fields) {
+  changeObservation(fields, (bytes) => bytes.writeUInt32LE(0, WIDTH_AT));
+}
+
 /** A project whose landmarks all have the same position. @param {Buffer} file */
 export function projectWithoutShape(file) {
-  const changed = Buffer.from(file);
-  const start = file.indexOf("\n") + 1;
-  return changed.fill(0, start, start + 468 * 3 * 4);
+  return changedProject(file, (header) => changeObservation(header, (bytes) => bytes.fill(0, LANDMARKS_AT, LANDMARKS_AT + 468 * 3 * 4)));
+}
+
+/** @param {{ photos: { observation: string }[] }} fields @param {(bytes: Buffer) => void} change */
+function changeObservation({ photos: [photo] }, change) {
+  const bytes = Buffer.from(photo.observation, "base64");
+  change(bytes);
+  photo.observation = bytes.toString("base64");
 }
 
 /** JSON and binary chunk of a GLB. @param {Buffer} file */

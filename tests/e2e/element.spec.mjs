@@ -88,7 +88,7 @@ test("the element reports files it cannot open by event and notice, and opens th
   assert.equal(await visitor.refusal((face) => face.setSlider("ears", 1)), "bad-choice");
   await visitor.act((face) => face.setAttribute("shading", "mauve"));
   assert.equal((await visitor.last("rosto-error")).code, "bad-choice");
-  await visitor.act((face) => face.apply((studio) => studio.choose("shading", "normals")));
+  await visitor.act((face) => face.apply({ shading: "normals" }));
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
@@ -150,8 +150,8 @@ document.addEventListener("rosto-change", ({ detail }: CustomEvent<StudioSnapsho
 const face: RostoStudio = document.createElement("rosto-studio");
 face.moveLandmark(1, [0, 0, 5]);
 export const glb: Promise<Blob> = face.getGlb();
-export const found = new VisionClient().find(new Blob()).then(({ faces }) => faces[0]?.landmarks.length);
-export const session = FaceSession.open(document.createElement("canvas")).then((session) => session.apply((studio) => studio.undo()));
+export const found = new VisionClient().open(new Blob()).then(({ opened }) => opened.faces[0]?.points.length);
+export const session = FaceSession.open(document.createElement("canvas")).then((session) => session.apply("undo"));
 `;
 
 test("TypeScript finds the package's types with both module resolutions", async () => {

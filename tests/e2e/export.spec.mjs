@@ -184,12 +184,12 @@ function measuresIn(log) {
 
 /** Runs in the page: rejects walls thicker than a limit. @param {{ most_mm: number }} limit */
 async function refuseWalls({ most_mm }) {
-  const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
-  for (const method of ["solidFacts", "exportFile"]) {
-    const call = Studio.prototype[method];
-    Studio.prototype[method] = function (...values) {
+  const { VisionClient } = await import(new URL("js/photo/vision-client.js", document.baseURI).href);
+  for (const method of ["solidFacts", "write"]) {
+    const call = VisionClient.prototype[method];
+    VisionClient.prototype[method] = function (...values) {
       const isThick = Number(document.getElementById("solid-mm").value) > most_mm;
-      if (isThick) throw Object.assign(new Error("too thick"), { code: "too-thick", maxMm: most_mm });
+      if (isThick) return Promise.reject({ code: "too-thick", message: "too thick", hint: "", maxMm: most_mm });
       return call.apply(this, values);
     };
   }

@@ -149,7 +149,7 @@ test("the last of several quickly chosen faces is shown, and a restart of the mo
   assert.deepEqual(await visitor.work(), first);
 
   await choose(visitor, 1);
-  await page.evaluate(trapIn, { method: "exportFile" });
+  await page.evaluate(trapIn, { method: "savedEdits" });
   await visitor.unfold("section-export");
   await page.click("[data-action='download-json']");
   await page.waitForSelector("#notice[data-code='restarted']");

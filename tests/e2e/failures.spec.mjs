@@ -69,15 +69,13 @@ for (const { loss, lose, label, code, tag } of [
 }
 
 for (const [{ reply, action, code }, tag] of variants([
-  { reply: "drawn", action: "download-photo-png", code: "photo-not-written" },
-  { reply: "textured", action: "download-glb", code: "texture-not-made" },
+  { reply: "edited-photo", action: "download-photo-png", code: "photo-not-written" },
+  { reply: "write", action: "download-glb", code: "file-not-written" },
 ])) {
-  test(`the notice names the right task if the worker crashes before it has ${reply}`, { tag }, async ({ visitor, page }) => {
-    const crash = (worker) => worker.evaluate(crashBefore, reply).catch(() => {});
-    page.on("worker", crash);
+  test(`the notice names the right task if the worker crashes before the reply ${reply}`, { tag }, async ({ visitor, page }) => {
     await visitor.untilLoaded();
-    await Promise.all(page.workers().map(crash));
     const mesh = await work(visitor);
+    await Promise.all(page.workers().map((worker) => worker.evaluate(crashBefore, reply)));
     const notice = await failToSave(visitor, action);
     assert.equal(notice.code, code);
     assert.doesNotMatch(notice.text, /[Rr]eading/);

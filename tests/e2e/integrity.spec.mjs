@@ -27,9 +27,9 @@ for (const [file, tag] of variants(WORKER_FILES)) {
     await visitor.setLanguage("pt");
     assert.match((await visitor.notice()).text, /não passou na verificação de integridade.*Recarregue/s);
     await visitor.setLanguage("en");
-    assert.deepEqual(await visitor.meshJson("mm"), work);
 
     server.intercept();
+    assert.deepEqual(await visitor.meshJson("mm"), work);
     await visitor.dropSample();
     await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
   });

@@ -61,7 +61,7 @@ test("photos from other sides change the mesh like on the command line, are save
   const glb = await visitor.download("download-glb");
   const [made, wanted] = [partsOfGlb(glb), partsOfGlb(await glbByCommandLine(SAMPLE, [one, other, "--units", "mm", "--density", "2"]))];
   assert.equal(made.json.meshes[0].primitives.length, wanted.json.meshes[0].primitives.length);
-  assert.equal(made.json.scenes[0].extras.further.photos.length, 2);
+  assert.equal(made.json.scenes[0].extras.photos.length, 3);
   await page.click("#toolbar [data-action='redo']");
   const edited = await visitor.meshJson("mm");
 

@@ -21,7 +21,7 @@ test("a small photo or a GLB replaces a large photo that is still being read", a
   await visitor.untilFace();
   assert.notDeepEqual(await visitor.meshJson("image"), small);
   await dropBoth(page, large, portrait);
-  await untilFound(visitor, 4);
+  await untilOpened(visitor, 4);
   await visitor.untilFace();
   assert.deepEqual(await visitor.meshJson("image"), small);
   assert.ok(await page.isHidden("#notice"));
@@ -34,16 +34,16 @@ test("a small photo or a GLB replaces a large photo that is still being read", a
   await page.waitForSelector("#progress", { state: "hidden" });
   await page.waitForFunction(() => document.querySelectorAll("#history li").length === 1);
   // The worker has still replied to the photo.
-  await untilFound(visitor, 5);
+  await untilOpened(visitor, 6);
   assert.deepEqual(await visitor.history(), history);
   assertRestored(await visitor.meshJson("mm"), mesh);
   assert.ok(await page.isHidden("#notice"));
   assert.ok(await page.isHidden("#progress"));
 });
 
-/** Waits until the worker has replied for `count` photos. */
-async function untilFound(visitor, count) {
-  await visitor.page.waitForFunction((count) => window.workerMessages.filter((type) => type === "found").length === count, count);
+/** Waits until the worker has opened `count` files. */
+async function untilOpened(visitor, count) {
+  await visitor.page.waitForFunction((count) => window.workerMessages.filter((type) => type === "open").length === count, count);
   await visitor.frames(5);
 }
 

@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { changedProject, glbOf, partsOfGlb, projectWithoutShape } from "./changed-files.mjs";
+import { changedProject, glbOf, partsOfGlb, projectWithoutShape, removeWidth } from "./changed-files.mjs";
 import { test } from "./fixtures.mjs";
 import { changeStorage, untilSaved } from "./storage.mjs";
 
@@ -15,11 +15,11 @@ const BAD_HISTORIES = {
 
 /** @type {Changes} */
 const BAD_HEADERS = [
-  ["a history of another version", ["other-version"], ({ edits }) => (edits.version = 99)],
+  ["a history of another version", ["other-version"], ({ history }) => (history.version = 99)],
   ["a project of another version", ["other-version"], (header) => (header.version = 99)],
-  ["no edits", ["bad-project", "bad-history"], (header) => delete header.edits],
-  ["a width of 0", ["bad-project", "bad-face"], (header) => (header.width_px = 0)],
-  ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["bad-project", "bad-history"], ({ edits }) => change(edits)]),
+  ["no photos", ["bad-project"], (header) => delete header.photos],
+  ["a width of 0", ["bad-project", "bad-face"], removeWidth],
+  ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["bad-project", "bad-history"], ({ history }) => change(history)]),
 ];
 
 /** @type {Changes} */
@@ -27,7 +27,7 @@ const BAD_EXTRAS = [
   ["a GLB of another version", ["other-version"], (extras) => (extras.version = 99)],
   ["a history of another version", ["other-version"], ({ history }) => (history.version = 99)],
   ["an empty object as history", ["damaged-glb", "bad-history"], (extras) => (extras.history = {})],
-  ["a photo without width", ["damaged-glb", "bad-face"], (extras) => (extras.photo_px = [0, 512])],
+  ["a photo without width", ["damaged-glb", "bad-face"], removeWidth],
   ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["damaged-glb", "bad-history"], ({ history }) => change(history)]),
 ];
 
@@ -48,16 +48,16 @@ test("a GLB that cannot be opened leaves the face, its history and the saved wor
   await expectRefused(editor, bad, "face.glb");
 });
 
-test("saved work with a damaged picture shows a notice, and the page stays usable", async ({ editor, page }) => {
+test("saved work with a damaged file shows a notice, and the page stays usable", async ({ editor, page }) => {
   await editAndSave(editor, "save-project");
   await untilSaved(page);
   await page.reload();
   await page.waitForSelector("#continue:not([hidden])");
-  for (const picture of ["new Blob([new Uint8Array(7)])", "undefined", '"a picture"']) {
-    await changeStorage(page, `({ faces }) => (${replacePicture})(faces, ${picture})`);
+  for (const file of ["new Blob([new Uint8Array(7)])", "undefined", '"a file"']) {
+    await changeStorage(page, `({ faces }) => (${replaceFile})(faces, ${file})`);
     await page.click("#continue");
     const { code, text } = await editor.notice();
-    assert.equal(code, "bad-kept-work", picture);
+    assert.equal(code, "bad-kept-work", file);
     assert.match(text, /can’t be opened/);
     await page.keyboard.press("Escape");
     await page.waitForSelector("#notice", { state: "hidden" });
@@ -105,7 +105,10 @@ async function expectRefused(visitor, bad, fileName) {
   assert.deepEqual(await visitor.meshJson("mm"), work);
 }
 
-/** Runs in the page: replaces the saved picture. */
-function replacePicture(faces, picture) {
-  faces.openCursor().onsuccess = ({ target }) => target.result.update({ ...target.result.value, picture });
+/** Runs in the page: replaces the saved files. */
+function replaceFile(faces, file) {
+  faces.openCursor().onsuccess = ({ target: { result } }) => {
+    const files = result.value.files.map((source) => ({ ...source, file }));
+    result.update({ ...result.value, files });
+  };
 }

@@ -52,7 +52,7 @@ test("a panic during export or opening restarts the module, and the next attempt
   const work = await editor.meshJson("mm");
   const project = await editor.download("save-project");
 
-  await page.evaluate(trapIn, { method: "exportFile" });
+  await page.evaluate(trapIn, { method: "savedEdits" });
   await editor.reveal("#export-units");
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(editor);
@@ -62,7 +62,7 @@ test("a panic during export or opening restarts the module, and the next attempt
   assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face was not restored");
 
   await page.keyboard.press("Escape");
-  await page.evaluate(trapIn, { module: "rosto-studio-web.js?again=1", method: "openWork" });
+  await page.evaluate(trapIn, { module: "rosto-studio-web.js?again=1", method: "open" });
   await editor.drop(project, "face.rosto");
   await untilRestarted(editor);
   assert.deepEqual(await editor.meshJson("mm"), work);

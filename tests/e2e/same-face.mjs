@@ -21,13 +21,11 @@ export async function openAsCommandLine(visitor) {
 
 /** A project with the command line's landmarks. @param {Buffer} project saved by the page */
 export async function projectAsCommandLine(project) {
-  const { landmarks, colours, lens } = partsOfGlb(await glbByCommandLine(SAMPLE, PAGE_OPTIONS)).json.scenes[0].extras;
-  const face = Buffer.concat([landmarks, colours].map((text) => Buffer.from(text, "base64")));
-  const changed = changedProject(project, (header) => ({ ...header, lens }));
-  const start = changed.indexOf("\n") + 1;
-  const { points } = JSON.parse(changed.subarray(0, start).toString());
-  assert.equal(face.length, 12 * points + 3 * 468);
-  return Buffer.concat([changed.subarray(0, start), face, changed.subarray(start + face.length)]);
+  const [{ observation }] = partsOfGlb(await glbByCommandLine(SAMPLE, PAGE_OPTIONS)).json.scenes[0].extras.photos;
+  return changedProject(project, ({ photos: [photo] }) => {
+    assert.equal(observation.length, photo.observation.length);
+    photo.observation = observation;
+  });
 }
 
 /** Files of an uncompressed archive by name. @param {Buffer} zip @returns {Map<string, Buffer>} */

@@ -84,7 +84,7 @@ function delayReplies() {
   const listen = Worker.prototype.addEventListener;
   Worker.prototype.addEventListener = function (type, listener, ...rest) {
     const deliver = (event) => {
-      if (window["repliesWait"] && event.data?.type === "found") held.push(() => listener.call(this, event));
+      if (window["repliesWait"] && event.data?.type === "open") held.push(() => listener.call(this, event));
       else listener.call(this, event);
     };
     listen.call(this, type, type === "message" ? deliver : listener, ...rest);

@@ -12,7 +12,7 @@ test("after a trap no code calls into the module, before or after a new instance
   const project = await editor.download("save-project");
   await untilSaved(page);
 
-  await page.evaluate(trapIn, { method: "orbit" });
+  await page.evaluate(trapIn, { method: "apply" });
   await page.focus("#viewport");
   await page.keyboard.press("ArrowLeft");
   await page.waitForFunction(() => globalThis.modules.isWaiting);

@@ -38,7 +38,7 @@ test("a crashed worker restarts and leaves the work unchanged", async ({ visitor
   await expect(page.locator("#history li")).toHaveCount(0);
 
   await visitor.move("nose tip", "z", 7);
-  await worker.evaluate(crashBefore, "found");
+  await worker.evaluate(crashBefore, "open");
   await visitor.drop(faceless(), "trap.png");
   assert.equal((await visitor.notice()).code, "worker-died");
   assert.deepEqual(await visitor.meshJson("mm"), work);

@@ -31,7 +31,13 @@ impl Facts {
         let modules = ["rosto-studio-web", "rosto-studio-webgl"].map(|package| (package, built_for_wasm(package)));
         let declared = packages().map(|(name, package)| (name, declared(package))).collect();
         let sources = packages().map(|(name, package)| (name, sources(package))).collect();
-        let [host, wasm] = ["host-tuple", "wasm32-unknown-unknown"].map(resolved);
+        let optional: Vec<_> = packages().map(|(name, package)| (name, optional(package))).collect();
+        let enabling: Vec<_> = packages().flat_map(|(name, package)| enabling(&name, package)).collect();
+        let [host, wasm] = ["host-tuple", "wasm32-unknown-unknown"].map(|target| {
+            let mut graph = resolved(target);
+            move_optional(&mut graph, &optional, &enabling);
+            graph
+        });
         Self { declared, host, wasm, modules: modules.into(), sources }
     }
 
@@ -70,6 +76,33 @@ pub fn reachable(graph: &Graph, package: &str) -> BTreeSet<String> {
 
 fn declared(package: &Value) -> BTreeSet<String> {
     list(&package["dependencies"]).filter(ships).map(|dependency| text(&dependency["name"])).collect()
+}
+
+/// Dependencies of a package that only its features enable.
+fn optional(package: &Value) -> BTreeSet<String> {
+    let dependencies = list(&package["dependencies"]).filter(ships).filter(|dependency| dependency["optional"] == true);
+    dependencies.map(|dependency| text(&dependency["name"])).collect()
+}
+
+/// A package with each dependency of which it enables features.
+fn enabling(name: &str, package: &Value) -> Vec<(String, String)> {
+    let enables = |dependency: &&Value| {
+        dependency["uses_default_features"] == true || list(&dependency["features"]).next().is_some()
+    };
+    let dependencies = list(&package["dependencies"]).filter(ships).filter(enables);
+    dependencies.map(|dependency| (name.to_owned(), text(&dependency["name"]))).collect()
+}
+
+/// Attributes optional dependencies of workspace packages to the packages that enable them: cargo resolves the workspace
+/// with the features of all its packages.
+fn move_optional(graph: &mut Graph, optional: &[(String, BTreeSet<String>)], enabling: &[(String, String)]) {
+    for (package, dependencies) in optional {
+        let Some(resolved) = graph.get_mut(package) else { continue };
+        let moved: Vec<String> = dependencies.iter().filter(|name| resolved.remove(*name)).cloned().collect();
+        for (user, _) in enabling.iter().filter(|(_, used)| used == package) {
+            graph.entry(user.clone()).or_default().extend(moved.iter().cloned());
+        }
+    }
 }
 
 fn resolved(target: &str) -> Graph {

@@ -68,7 +68,7 @@ def test_a_mesh_and_its_pickle_keep_copies_of_the_images(portrait, pixels, tmp_p
 
 def test_accepts_a_single_edit(portrait):
     edit = rosto.Slider("nose-width", 4)
-    assert rosto.mesh(portrait, edit, density=0).words == rosto.mesh(portrait, iter([edit]), density=0).words
+    assert rosto.mesh(portrait, edit, density=0).edits == rosto.mesh(portrait, iter([edit]), density=0).edits
 
 
 @pytest.mark.parametrize("wrong", [None, 4, "nose-width", [None], [rosto.Slider("nose-width", 4), ("nose-width", 4)]], ids=repr)
@@ -92,13 +92,13 @@ def test_several_images_of_one_head_give_one_face(portrait, pixels):
 @pytest.mark.parametrize(
     ("work", "words"),
     [
-        (lambda photo: rosto.mesh(photo, [rosto.Slider("ear", 4)]), ["'ear:4'", "unknown slider"]),
+        (lambda photo: rosto.mesh(photo, [rosto.Slider("ear", 4)]), ["unknown slider", '"ear"', "nose-width"]),
         (lambda photo: rosto.mesh(photo, [rosto.Vertex(9999, (0, 0, 1))]), ["edit 1", "9999", "0 to 467"]),
-        (lambda photo: rosto.mesh(photo, colour="red"), ["--colour"]),
+        (lambda photo: rosto.mesh(photo, colour="red"), ["colour", "rosto mesh --help"]),
         (lambda photo: rosto.mesh(photo).to_bytes("doc"), [".doc", ".glb"]),
-        (lambda photo: rosto.mesh(photo).to_bytes("ply", material="lit"), ["--material"]),
-        (lambda photo: rosto.mesh(photo, units="image"), ["image coordinates", "--units mm"]),
-        (lambda photo: rosto.mesh(photo).to_bytes("json", units="image"), ["image coordinates", "--units mm"]),
+        (lambda photo: rosto.mesh(photo).to_bytes("ply", material="lit"), ["material has no effect", ".glb and .gltf"]),
+        (lambda photo: rosto.mesh(photo, units="image"), ["image coordinates", '"mm"']),
+        (lambda photo: rosto.mesh(photo).to_bytes("json", units="image"), ["image coordinates", '"mm"']),
         (lambda photo: rosto.mesh(np.zeros((64, 64, 3), np.uint8)), ["no face", "tenth of the picture"]),
         (lambda photo: rosto.mesh(b"plain text"), ["not a picture"]),
         (lambda photo: rosto.mesh([photo] * 6), ["6 photos of one face; give 1 to 5"]),

@@ -75,7 +75,7 @@ def test_representations_are_short(portrait):
 @pytest.mark.parametrize(
     "work",
     [
-        lambda finder: _rosto.FaceMesh([], finder, []),
+        lambda finder: _rosto.FaceMesh([], finder, True, [], []),
         lambda finder: _rosto.Photo.decode(b""),
         lambda finder: _rosto.Photo.from_array(np.zeros((0, 4, 3), np.uint8)),
         lambda finder: _rosto.Photo.from_array(np.zeros((4, 4, 5), np.uint8)),

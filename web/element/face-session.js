@@ -1,22 +1,16 @@
 import { make } from "../js/page/dom.js";
-import { Replaced } from "../js/photo/vision-client.js";
-import { openFace, openPictures } from "../js/photo/open-picture.js";
+import { Opening } from "../js/opening.js";
 import { Host } from "../js/viewport/host.js";
 import { LandmarkMarks } from "../js/viewport/landmark-marks.js";
 import { isTrap } from "../js/viewport/studio-module.js";
 import { setUpViewKeys } from "../js/viewport/shortcuts.js";
 import { WholeTexture } from "../js/viewport/whole-texture.js";
-import { editStateOf } from "../js/work/edit-state.js";
-import { stemOf } from "../js/work/file-name.js";
-import { photosOf } from "../js/work/photos.js";
-import { kindOf, readSavedFile } from "../js/work/saved-file.js";
+import { FaceFiles } from "../js/work/face-files.js";
 import { loadWords } from "../js/words/words.js";
-import { exportedFile } from "../js/work/exported-file.js";
-import { borrowVision, facesIn, returnVision } from "./shared-vision.js";
+import { borrowVision, returnVision } from "./shared-vision.js";
 
 /**
- * @typedef {import("../js/work/work.js").OpenedFace} OpenedFace
- * @typedef {import("../js/work/work.js").EditState} EditState
+ * @typedef {import("../js/work/face.js").Face} Face
  * @typedef {import("../js/worker/protocol.js").Stage} Stage
  *
  * @typedef {object} Listeners
@@ -33,18 +27,11 @@ const NO_LISTENERS = { progress: () => {}, face: () => {}, change: () => {}, ann
 
 /** A face on a canvas with gestures and keys, without the page's interface. */
 export class FaceSession {
-  /** Queue: opening a face takes several tasks. @type {Promise<unknown>} */
-  #last = Promise.resolve();
-  #newest = 0;
   #listeners;
-  #texture;
-  /** @type {OpenedFace | undefined} */
-  #face;
-  /** @type {OpenedFace[]} */
-  #faces = [];
-  /** @type {EditState | undefined} */
-  #edits;
-  #isOpening = false;
+  #opening;
+  #files;
+  /** The face and its history when last seen. @type {{ face: Face, history: string } | undefined} */
+  #seen;
 
   /**
    * Opens a session on an unused canvas; throws `{code: "no-webgl", …}` if the browser cannot draw in 3D.
@@ -67,37 +54,41 @@ export class FaceSession {
   constructor(host, tag, listeners) {
     this.host = host;
     this.#listeners = listeners;
+    const vision = borrowVision();
+    this.#opening = new Opening(Promise.resolve(host), vision, {
+      progress: listeners.progress,
+      opened: () => {
+        listeners.face();
+        host.announce();
+      },
+      failed: (error) => {
+        throw error;
+      },
+    });
+    this.#files = new FaceFiles(host, vision, this.#opening);
     new LandmarkMarks(host, { tag });
     setUpViewKeys(host);
-    this.#texture = new WholeTexture(host, borrowVision(), this, () => {});
+    new WholeTexture(host, this.#files);
     host.onChange(() => this.#onChange());
-    host.onRestart(() => this.#restore());
   }
 
   /** The open face. */
   get face() {
-    return this.#face;
+    return this.#opening.face;
   }
 
   /** All faces of the photo, most prominent first. */
   get faces() {
-    return this.#faces;
+    return this.#opening.faces;
   }
 
   /**
-   * Opens a photo, GLB or project. A newer call rejects the pending one with `Replaced`.
+   * Opens a photo, GLB or project. A newer call cancels the pending one, which then resolves without effect.
    *
    * @param {Blob} file
    */
-  async open(file) {
-    const isWanted = this.#ticket();
-    const kind = await kindOf(file);
-    if (kind === "other") {
-      const faces = await facesIn(file, stemOf(file), this.#listeners.progress, isWanted);
-      return this.#show(faces, 0, undefined, isWanted);
-    }
-    const { face, changedElsewhere: _, ...edits } = await readSavedFile(file, kind);
-    return this.#show([face], 0, edits, isWanted);
+  open(file) {
+    return this.#opening.openFile(file);
   }
 
   /**
@@ -105,116 +96,51 @@ export class FaceSession {
    *
    * @param {number} index
    */
-  openFace(index) {
-    return this.#show(this.#faces, index, undefined, this.#ticket());
+  async openFace(index) {
+    const face = this.faces[index];
+    if (!face) throw { code: "bad-number", message: `face ${index} of ${this.faces.length}`, hint: "" };
+    await this.#opening.openFace(face);
   }
 
   /**
    * Applies an intent; throws if the studio rejects it.
    *
-   * @param {(studio: import("../js/viewport/host.js").Studio) => import("../js/viewport/host.js").ChangeName | void} intent
+   * @param {import("../js/viewport/host.js").Intent} intent
    */
   apply(intent) {
-    return this.#guarded(() => this.host.attempt(intent));
+    try {
+      return this.host.attempt(intent);
+    } catch (error) {
+      if (isTrap(error)) this.host.fail(error);
+      throw error;
+    }
   }
 
   /**
    * Exports the face.
    *
    * @param {string} format such as "glb"
-   * @param {import("../js/work/exported-file.js").ExportChoices} chosen
+   * @param {import("../js/worker/protocol.js").FileOptions} options
    */
-  async file(format, chosen) {
-    if (!this.#face) throw { code: "no-face", message: "no face is open", hint: "" };
-    const file = exportedFile(this.host, this.#texture, format, { "base-colour": "whole", ...chosen });
-    const bytes = await file.catch((error) => this.#rethrow(error));
-    return new Blob([/** @type {BlobPart} */ (bytes)], { type: this.host.answer((studio) => studio.mediaType(format)) });
+  async file(format, options) {
+    const { bytes, mediaType } = await this.#files.mesh(format, { "base-colour": "whole", ...options });
+    return new Blob([bytes], { type: mediaType });
   }
 
   /** Frees the session's resources. */
   close() {
-    this.#newest += 1;
+    this.#opening.cancel();
     this.host.close();
     returnVision();
   }
 
-  #ticket() {
-    const ticket = ++this.#newest;
-    return () => ticket === this.#newest;
-  }
-
-  /**
-   * @param {OpenedFace[]} faces
-   * @param {number} index
-   * @param {EditState | undefined} edits
-   * @param {() => boolean} isWanted
-   */
-  async #show(faces, index, edits, isWanted) {
-    const face = faces[index];
-    if (!face) throw { code: "bad-number", message: `face ${index} of ${faces.length}`, hint: "" };
-    const shown = this.#last.then(() => this.#openFace(face, edits, isWanted));
-    this.#last = shown.catch(() => {});
-    await shown;
-    this.#faces = faces;
-    this.#listeners.face();
-    this.host.announce();
-  }
-
-  /**
-   * @param {OpenedFace} face
-   * @param {EditState | undefined} edits
-   * @param {() => boolean} isWanted
-   */
-  async #openFace(face, edits, isWanted) {
-    const photos = photosOf({ ...face, lens: edits?.lens ?? face.lens });
-    if (!isWanted() || !(await openPictures(this.host, photos, isWanted))) throw new Replaced();
-    this.#isOpening = true;
-    try {
-      this.#guarded(() => openFace(this.host, photos, edits));
-      this.#face = face;
-    } finally {
-      this.#isOpening = false;
-    }
-    this.#edits = editStateOf(this.host);
-  }
-
   #onChange() {
-    if (this.#isOpening) return;
-    const edits = this.#face && editStateOf(this.host);
-    if (!edits) return;
-    const isEdited = edits.edits !== this.#edits?.edits;
-    this.#edits = edits;
+    const face = this.#opening.remember();
+    if (!face) return;
+    const history = JSON.stringify(JSON.parse(face.edits ?? "{}").history);
+    const isEdited = face === this.#seen?.face && history !== this.#seen.history;
+    this.#seen = { face, history };
     if (isEdited) this.#listeners.change();
     this.#listeners.announce();
-  }
-
-  /** Restores the face after the studio has restarted. */
-  async #restore() {
-    const [face, edits] = [this.#face, this.#edits];
-    if (face) await this.#openFace(face, edits, this.#ticket());
-  }
-
-  /**
-   * @template T
-   * @param {() => T} act
-   * @returns {T}
-   */
-  #guarded(act) {
-    try {
-      return act();
-    } catch (error) {
-      return this.#rethrow(error);
-    }
-  }
-
-  /**
-   * Rethrows an error to the caller; after a wasm trap, also restarts the studio.
-   *
-   * @param {unknown} error
-   * @returns {never}
-   */
-  #rethrow(error) {
-    if (isTrap(error)) this.host.fail(error);
-    throw error;
   }
 }

@@ -1,7 +1,7 @@
 import { init } from "../js/files.js";
 import { download } from "../js/page/download.js";
-import { Replaced } from "../js/photo/vision-client.js";
 import { languageFor, loadWords, setLanguage } from "../js/words/words.js";
+import { leadOf } from "../js/work/face.js";
 import { fileName } from "../js/work/file-name.js";
 import { FaceSession } from "./face-session.js";
 import { fetchedFile, pictureIn } from "./photo-source.js";
@@ -12,8 +12,7 @@ import { stateOf, themeOf } from "./state.js";
 /**
  * @typedef {import("./stage.js").Tool} Tool
  * @typedef {import("./state.js").StudioSnapshot} StudioSnapshot
- * @typedef {import("../js/viewport/host.js").Studio} Studio
- * @typedef {import("../js/viewport/host.js").ChangeName} ChangeName
+ * @typedef {import("../js/viewport/host.js").Intent} Intent
  */
 
 /** Attributes that set the studio's choice of the same name. */
@@ -104,7 +103,7 @@ export class RostoStudio extends HTMLElement {
     try {
       await session.open(await file);
     } catch (error) {
-      if (error instanceof Replaced || this.#teardown.signal.aborted) return;
+      if (this.#teardown.signal.aborted) return;
       throw this.#fail(error);
     }
   }
@@ -126,9 +125,11 @@ export class RostoStudio extends HTMLElement {
    * @param {[x_mm: number, y_mm: number, z_mm: number]} offset_mm to the subject's left, up, and out of the face
    */
   moveLandmark(landmark, offset_mm) {
-    this.apply((studio) => studio.selectAt(landmark));
-    this.apply((studio) => studio.preview(...offset_mm));
-    this.apply((studio) => studio.commit());
+    this.apply({ "select-at": landmark });
+    const [x = 0, y = 0, z = 0] = this.#session?.host.read(({ offsetMm }) => offsetMm) ?? [];
+    const [dx, dy, dz] = offset_mm;
+    this.apply({ offset: [x + dx, y + dy, z + dz] });
+    this.apply("commit");
   }
 
   /**
@@ -138,8 +139,8 @@ export class RostoStudio extends HTMLElement {
    * @param {number} to_mm new value
    */
   setSlider(slider, to_mm) {
-    this.apply((studio) => studio.slide(slider, to_mm));
-    this.apply((studio) => studio.commit());
+    this.apply({ slide: [slider, to_mm] });
+    this.apply("commit");
   }
 
   /**
@@ -149,27 +150,27 @@ export class RostoStudio extends HTMLElement {
    * @param {number} to weight, 0 to 1
    */
   express(expression, to) {
-    this.apply((studio) => studio.express(expression, to));
-    this.apply((studio) => studio.commit());
+    this.apply({ express: [expression, to] });
+    this.apply("commit");
   }
 
   undo() {
-    this.apply((studio) => studio.undo());
+    this.apply("undo");
   }
 
   redo() {
-    this.apply((studio) => studio.redo());
+    this.apply("redo");
   }
 
   /** Removes all edits, as one undoable step. */
   reset() {
-    this.apply((studio) => studio.reset());
+    this.apply("reset");
   }
 
   /**
-   * Calls any other method of the studio. If the studio rejects the intent, throws and changes nothing.
+   * Applies any other intent, such as `{ zoom: 1.2 }`. If the studio rejects it, throws and changes nothing.
    *
-   * @param {(studio: Studio) => ChangeName | void} intent
+   * @param {Intent} intent
    */
   apply(intent) {
     try {
@@ -232,8 +233,8 @@ export class RostoStudio extends HTMLElement {
     this.#session = session;
     const [reducedMotion, dark] = ["(prefers-reduced-motion: reduce)", "(prefers-color-scheme: dark)"].map((query) => matchMedia(query));
     const applyPreferences = () => {
-      session.host.act((studio) => studio.setTheme(themeOf(this)));
-      session.host.act((studio) => studio.setReducedMotion(reducedMotion?.matches ?? false));
+      session.host.apply({ theme: themeOf(this) });
+      session.host.apply({ "reduced-motion": reducedMotion?.matches ?? false });
     };
     for (const query of [reducedMotion, dark]) query?.addEventListener("change", applyPreferences, { signal });
     applyPreferences();
@@ -274,9 +275,9 @@ export class RostoStudio extends HTMLElement {
 
   /** @param {FaceSession} session @param {string} choice @param {string} id */
   #choose(session, choice, id) {
-    if (session.host.read((state) => state.chosen(choice)) === id) return;
+    if (session.host.read(({ chosen }) => chosen[choice]) === id) return;
     try {
-      session.apply((studio) => studio.choose(choice, id));
+      session.apply(/** @type {Intent} */ ({ [choice]: id }));
     } catch (error) {
       this.#fail(error);
     }
@@ -302,7 +303,7 @@ export class RostoStudio extends HTMLElement {
     this.#showTools();
     const { face, faces } = this.#session;
     if (!face) return;
-    const { landmarks, width_px, height_px } = face;
+    const { landmarks, width_px, height_px } = leadOf(face);
     this.#emit("rosto-face", { landmarks, width_px, height_px, faces: faces.length, index: faces.indexOf(face) });
   }
 
@@ -323,7 +324,7 @@ export class RostoStudio extends HTMLElement {
 
   #showTools() {
     const covered_px = this.#stage?.showTools(this.controls) ?? 0;
-    this.#session?.host.act((studio) => studio.setViewportInsets(0, 0, covered_px * devicePixelRatio, 0));
+    this.#session?.host.apply({ "viewport-insets": [0, 0, covered_px * devicePixelRatio, 0] });
   }
 
   /**

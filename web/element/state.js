@@ -26,26 +26,12 @@ const CLOSED = {
  * @returns {StudioSnapshot}
  */
 export function stateOf(session) {
-  const state = session?.host.read((now, studio) => ({
-    ...{ ready: true, faces: session.faces.length, vertices: now.vertexCount, edits: now.entryCount },
-    ...{ canUndo: now.canUndo, canRedo: now.canRedo, selected: now.selected },
-    ...{ shading: now.chosen("shading"), density: now.chosen("density"), lens: now.chosen("lens") },
-    sliders_mm: session.face ? slidersOf(studio) : {},
+  const state = session?.host.read(({ vertexCount, entryCount, canUndo, canRedo, selected, chosen, slidersMm }) => ({
+    ...{ ready: true, faces: session.faces.length, vertices: vertexCount, edits: entryCount },
+    ...{ canUndo, canRedo, selected, sliders_mm: slidersMm },
+    ...{ shading: chosen["shading"], density: chosen["density"], lens: chosen["lens"] },
   }));
   return state ?? CLOSED;
-}
-
-/** @param {import("../js/viewport/host.js").Studio} studio */
-function slidersOf(studio) {
-  const tick = studio.tick();
-  const at_mm = tick.slidersMm;
-  tick.free();
-  const sliders = studio.faceSliders.map((slider, place) => {
-    const { id } = slider;
-    slider.free();
-    return [id, at_mm[place] ?? 0];
-  });
-  return /** @type {Record<string, number>} */ (Object.fromEntries(sliders));
 }
 
 /**

@@ -1,4 +1,4 @@
-import { Opening } from "./opening.js";
+import { pageOpening } from "./page-opening.js";
 import { setUpLivePreview } from "./live/live-preview.js";
 import { announce } from "./page/announce.js";
 import { setUpDialogs } from "./page/dialogs.js";
@@ -48,6 +48,8 @@ import { WholeTexture } from "./viewport/whole-texture.js";
 import { Host } from "./viewport/host.js";
 import { onLocaleChange, language, languages, loadWords, setLanguage, translatePage } from "./words/words.js";
 import { Autosave } from "./work/autosave.js";
+import { leadOf } from "./work/face.js";
+import { FaceFiles } from "./work/face-files.js";
 
 await loadWords(remembered("language") ?? navigator.language);
 setUpLanguage();
@@ -59,17 +61,16 @@ setUpDialogs();
 
 const vision = new VisionClient();
 const overlay = new PhotoOverlay();
-const autosave = new Autosave();
+const autosave = new Autosave(() => opening.remember());
 const validator = new Validator();
 /** @type {PaperPanel | undefined} */
 let paper;
 const host = openHost();
-const faceChoice = new FaceChoice((face) => opening.openFace(face), (face) => opening.goBackTo(face));
-const opened = (/** @type {number | undefined} */ extraction_ms) => paper?.forget(extraction_ms);
-const opening = new Opening({ host, overlay, faceChoice, vision, autosave, opened });
+const faceChoice = new FaceChoice((face) => opening.openFace(face));
+const opening = pageOpening({ host, vision, overlay, faceChoice, autosave, onOpened: (extraction_ms) => paper?.forget(extraction_ms) });
 
 host.then(setUpExpert);
-setUpTheme((theme) => host.then((opened) => opened?.act((studio) => studio.setTheme(theme))));
+setUpTheme((theme) => host.then((opened) => opened?.apply({ theme })));
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
 setUpLivePreview({ host, vision, opening });
@@ -97,19 +98,20 @@ async function openHost() {
     setUpChoices(opened);
     new FacePanel(opened);
     new ExpressionPanel(opened);
-    new PhotosPanel(opened, () => opening);
+    new PhotosPanel(opened, opening, vision);
     setUpViewPanel(opened);
-    new SizePanel(opened, () => opening.lens);
+    new SizePanel(opened, foundLens);
     setUpInPhotoPanel(opened);
     setUpHistoryPanel(opened);
-    const texture = new WholeTexture(opened, vision, autosave, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
-    setUpExportPanel(opened, autosave, validator, texture);
-    setUpSharePanel(opened, autosave);
-    setUpPhotoFile(opened, autosave, vision);
+    const files = new FaceFiles(opened, vision, opening);
+    new WholeTexture(opened, files, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
+    setUpExportPanel(opened, opening, validator, files);
+    setUpSharePanel(opened, opening);
+    setUpPhotoFile({ host: opened, opening, files, overlay });
     paper = new PaperPanel(opened);
     autosave.follow(opened);
-    opened.onRestart(() => restoreWork(opened));
-    opened.act((studio) => studio.showCanonical());
+    opened.onRestart(() => resetView(opened));
+    opened.apply("close");
     document.body.dataset["host"] = "open";
     return opened;
   } catch (error) {
@@ -128,18 +130,22 @@ async function loadInBackground() {
   await Promise.allSettled([showSample(), validator.start(), storeOffline(isFallback()), prepareRestart()]);
 }
 
+/** Lens by the lead photo's own data. */
+function foundLens() {
+  const { face } = opening;
+  return face && leadOf(face).foundLens;
+}
+
 /**
- * Restores the work into a restarted studio, which is empty.
+ * Sets up a restarted studio, which then gets its face again.
  *
  * @param {Host} opened
  */
-async function restoreWork(opened) {
-  const work = autosave.suspend();
+async function resetView(opened) {
   const theme = document.documentElement.dataset["theme"] === "dark" ? "dark" : "light";
-  opened.act((studio) => studio.setTheme(theme));
-  opened.act((studio) => studio.setReducedMotion(matchMedia("(prefers-reduced-motion: reduce)").matches));
-  opened.act((studio) => studio.showCanonical());
-  if (work) await opening.restore(work);
+  opened.apply({ theme });
+  opened.apply({ "reduced-motion": matchMedia("(prefers-reduced-motion: reduce)").matches });
+  opened.apply("close");
   paper?.forget(undefined);
 }
 

@@ -1,34 +1,60 @@
-import { byId } from "./page/dom.js";
-import { resetPanel } from "./page/reset-panel.js";
-import { showHints } from "./page/hint.js";
-import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.js";
-import { hideProgress } from "./page/progress.js";
+import { asPageError, noFace } from "./page/page-error.js";
 import { nextTask } from "./page/tasks.js";
-import { openFace, openPicture, openPictures } from "./photo/open-picture.js";
-import { readPhoto } from "./photo/read-photo.js";
-import { Replaced } from "./photo/vision-client.js";
 import { isTrap } from "./viewport/studio-module.js";
-import { stemOf } from "./work/file-name.js";
-import { fromVisit, fromWork, recentFaces, shownBefore } from "./work/incoming.js";
-import { detectionOf, faceFromPhotos, indexOfPhoto, photoFacts, photosOf } from "./work/photos.js";
-import { bitmapOf } from "./work/pixels.js";
-import { kindOf, readSavedFile } from "./work/saved-file.js";
+import { facesOf, filesWith, nameIn, photoOf } from "./work/face.js";
+import { shownBefore } from "./work/recent-faces.js";
 
 /**
  * @typedef {import("./viewport/host.js").Host} Host
- * @typedef {import("./work/work.js").Work} Work
- * @typedef {import("./work/work.js").OpenedFace} OpenedFace
- * @typedef {import("./work/incoming.js").ShownFace} ShownFace
- * @typedef {import("./work/incoming.js").Incoming} Incoming
+ * @typedef {import("./viewport/host.js").Studio} Studio
+ * @typedef {import("./work/face.js").Face} Face
+ * @typedef {import("./work/face.js").FacePhoto} FacePhoto
+ * @typedef {import("./work/recent-faces.js").ShownFace} ShownFace
+ * @typedef {import("./worker/protocol.js").Stage} Stage
+ * @typedef {import("../wasm/rosto-studio-web.js").Changed} Changed
  *
- * @typedef {object} Context
- * @property {Promise<Host | undefined>} host undefined if the browser cannot draw in 3D
- * @property {import("./photo/photo-overlay.js").PhotoOverlay} overlay
- * @property {import("./photo/face-choice.js").FaceChoice} faceChoice
- * @property {import("./photo/vision-client.js").VisionClient} vision
- * @property {import("./work/autosave.js").Autosave} autosave
- * @property {(extraction_ms: number | undefined) => void} opened
+ * @typedef {object} Loaded
+ * @property {ImageBitmap[]} bitmaps the face's pictures
+ * @property {string} [preferences] to restore; otherwise, the current settings and view stay
+ * @property {number} [extraction_ms] time to find the landmarks
+ * @property {boolean} [changedElsewhere] another program has changed the mesh in the file
+ * @property {boolean} [isDoubtful] possibly not a face
+ * @property {boolean} [ofThisVisit] the photo was open before
+ *
+ * @typedef {ShownFace & Loaded} Incoming a face ready to be opened
+ * @typedef {{ show: () => void, discard: () => void }} Prepared
+ * @typedef {ShownFace & { host?: Host, instance?: object }} Current `instance`: the studio that shows the face
+ *
+ * @typedef {object} Listeners
+ * @property {() => void} begun a request has begun
+ * @property {(stage: Stage | "loading", fraction: number) => void} progress
+ * @property {(shown: ShownFace, picture: ImageBitmap) => Promise<Prepared>} prepare prepares the display of the lead
+ *   photo; the last step that can fail before the face opens
+ * @property {() => void} leaving another face is about to replace the current one
+ * @property {(face: Face) => void} started the studio shows this face
+ * @property {(incoming: Incoming) => void} opened
+ * @property {(shown: ShownFace) => void} photosChanged
+ * @property {(name: string, error: unknown) => void} notAdded
+ * @property {(name: string) => void} addedLittle
+ * @property {(error: unknown) => void} failed after a trap too
+ * @property {(isNewest: boolean) => void} ended a request has ended, unless a newer one has begun
  */
+
+/** @type {Listeners} */
+const NO_LISTENERS = {
+  ...{ begun: () => {}, progress: () => {}, prepare: async () => ({ show: () => {}, discard: () => {} }) },
+  ...{ leaving: () => {}, started: () => {}, opened: () => {}, photosChanged: () => {} },
+  ...{ notAdded: () => {}, addedLittle: () => {}, failed: () => {}, ended: () => {} },
+};
+
+/** Saved files, which open without face detection. */
+const SAVED = /\.(glb|rosto)$/i;
+
+/** Errors that do not depend on the file. */
+const OF_WORKER = new Set(["worker-died", "not-loaded", "not-as-built"]);
+
+/** Rejection reason when a newer request supersedes this one. */
+export class Replaced extends Error {}
 
 /**
  * Single entry point for photos, files, the camera, the sample and restored work. A newer request cancels the pending
@@ -39,24 +65,51 @@ export class Opening {
   #newest = 0;
   /** Queue: a change takes several tasks, and changes must not interleave. @type {Promise<unknown>} */
   #queue = Promise.resolve();
-  #context;
-  /** @type {ShownFace | undefined} */
+  #host;
+  #vision;
+  #listeners;
+  /** @type {Current | undefined} */
   #current;
   /** Faces shown before, latest first. @type {ShownFace[]} */
   #earlier = [];
 
-  /** @param {Context} context */
-  constructor(context) {
-    this.#context = context;
+  /**
+   * @param {Promise<Host | undefined>} host undefined if the browser cannot draw in 3D
+   * @param {import("./photo/vision-client.js").VisionClient} vision
+   * @param {Partial<Listeners>} listeners
+   */
+  constructor(host, vision, listeners) {
+    this.#host = host;
+    this.#vision = vision;
+    this.#listeners = { ...NO_LISTENERS, ...listeners };
+    host.then((opened) => opened?.onRestart(() => this.#restore()));
   }
 
-  /** Lens detected in the current photo. */
-  get lens() {
-    return this.#current?.face.lens;
-  }
-
+  /** The open face. */
   get face() {
     return this.#current?.face;
+  }
+
+  /** All faces of the photo, most prominent first. */
+  get faces() {
+    return this.#current?.faces ?? [];
+  }
+
+  /** The faces shown before, latest first. */
+  get earlier() {
+    return this.#earlier;
+  }
+
+  /** The open face with its current photos and edits; as last read while the studio restarts after a crash. */
+  remember() {
+    const { face, host, instance } = this.#current ?? {};
+    if (!face || !host || host.instance !== instance) return face;
+    const now = host.read((state, studio) => {
+      const lead = state.photos.findIndex(({ leads }) => leads);
+      const texts = { photos: studio.savedPhotos(), edits: studio.savedEdits(), preferences: state.preferences };
+      return { ...texts, pictures: studio.pictures(), lead };
+    });
+    return Object.assign(face, now);
   }
 
   /**
@@ -64,49 +117,47 @@ export class Opening {
    *
    * @param {Blob | Promise<Blob>} file
    * @param {string} [name] overrides the file's name
+   * @param {string} [edits] to be applied to the face
    */
-  openFile(file, name) {
+  openFile(file, name, edits) {
     return this.#open(async (isWanted) => {
       const blob = await file;
-      // Saved files are read by the page's module, which may still be loading.
-      const host = await this.#context.host;
-      const kind = host ? await kindOf(blob) : "other";
       if (!isWanted()) throw new Replaced();
-      if (kind === "other") return readPhoto(this.#context.vision, blob, name ?? stemOf(blob), isWanted);
-      return fromWork(await readSavedFile(blob, kind));
+      const incoming = await this.#read(blob, isWanted, name);
+      if (edits !== undefined) incoming.face.edits = edits;
+      return incoming;
     });
   }
 
   /**
-   * Opens a frame of the live preview, with the edits shown in it.
+   * Opens another face of the current photo, or returns to a face shown earlier; ignores other faces.
    *
-   * @param {Blob} photo
-   * @param {import("./work/work.js").EditState} [edits]
-   */
-  openFrame(photo, edits) {
-    return this.#open(async (isWanted) => {
-      const incoming = await readPhoto(this.#context.vision, photo, "selfie", isWanted);
-      return edits ? { ...incoming, edits } : incoming;
-    });
-  }
-
-  /**
-   * Opens another face of the current photo; ignored if `face` is from another photo.
-   *
-   * @param {OpenedFace} face
+   * @param {Face} face
    */
   openFace(face) {
-    const { faces = [] } = this.#current ?? {};
-    return this.#open(() => this.#reopen(faces.includes(face) ? { face, faces } : undefined));
+    return this.#open(async () => {
+      const isOfPhoto = this.faces.includes(face);
+      const shown = isOfPhoto ? { face, faces: this.faces } : this.#earlier.find((shown) => shown.face === face);
+      if (!shown || face === this.face) throw new Replaced();
+      return { ...(await this.#withBitmaps(shown)), ofThisVisit: true };
+    });
   }
 
   /**
-   * Returns to a face shown earlier.
+   * Opens saved work.
    *
-   * @param {OpenedFace} face
+   * @param {() => Promise<Face>} read
    */
-  goBackTo(face) {
-    return this.#open(() => this.#reopen(this.#earlier.find((shown) => shown.face === face)));
+  openWork(read) {
+    return this.#open(async () => {
+      const face = await read();
+      try {
+        return { ...(await this.#withBitmaps({ face, faces: [face] })), ...(face.preferences && { preferences: face.preferences }) };
+      } catch (error) {
+        const { code, message } = asPageError(error);
+        throw OF_WORKER.has(code) ? error : { code: "bad-kept-work", message, hint: "" };
+      }
+    });
   }
 
   /**
@@ -116,12 +167,11 @@ export class Opening {
    */
   addPhotos(files) {
     return this.#run(async (isWanted) => {
-      const host = await this.#context.host;
       for (const file of files) {
-        if (!host || !isWanted()) return;
-        await this.#addPhoto(host, file, isWanted).catch((error) => {
+        if (!isWanted()) return;
+        await this.#addPhoto(file, isWanted).catch((error) => {
           if (isTrap(error) || error instanceof Replaced) throw error;
-          showNotAdded(file.name, error);
+          this.#listeners.notAdded(file.name, error);
         });
       }
     });
@@ -131,159 +181,76 @@ export class Opening {
    * Removes a photo from the open face. Its index is looked up when the queue reaches it, as earlier changes may move
    * or remove it.
    *
-   * @param {OpenedFace} photo
+   * @param {string} picture
    */
-  removePhoto(photo) {
-    return this.#run(async () => {
-      const host = await this.#context.host;
-      if (!host) return;
-      await this.#enqueue(async () => {
-        const index = indexOfPhoto(this.#current?.face, photo);
-        if (index === undefined) return;
-        await this.#changePhotos(host, (studio) => studio.removePhoto(index), (photos) => photos.toSpliced(index, 1));
-      });
-    });
+  removePhoto(picture) {
+    return this.#run(() => this.#enqueue(async () => {
+      const index = this.face?.pictures.indexOf(picture) ?? -1;
+      if (index >= 0) await this.#changePhotos((studio) => studio.removePhoto(index));
+    }));
   }
 
   /**
    * Restores a photo removed from the open face.
    *
-   * @param {OpenedFace} photo
+   * @param {FacePhoto} photo
    */
   restorePhoto(photo) {
     return this.#run(async (isWanted) => {
-      const host = await this.#context.host;
-      if (host) await this.#enqueue(() => this.#addDetected(host, photo, isWanted));
+      const bitmaps = await this.#bitmapsOf(photo);
+      await this.#enqueue(() => this.#addFound(photo, bitmaps, isWanted));
     });
   }
 
-  /**
-   * Opens saved work.
-   *
-   * @param {() => Promise<Work>} read
-   */
-  openWork(read) {
-    return this.#open(async () => fromWork(await read()));
+  /** Cancels the pending request. */
+  cancel() {
+    this.#newest += 1;
   }
 
-  /**
-   * Restores the work after the studio has crashed.
-   *
-   * @param {Work} work
-   */
-  async restore(work) {
+  /** Shows the face again after the studio has crashed. */
+  async #restore() {
+    const { face, faces } = this.#current ?? {};
+    if (!face || !faces) return;
+    const isWanted = this.#ticket();
+    const restored = this.#enqueue(async () => {
+      const incoming = await this.#withBitmaps({ face, faces });
+      await this.#install({ ...incoming, ...(face.preferences && { preferences: face.preferences }) }, isWanted);
+    });
+    await restored.catch((error) => {
+      if (!(error instanceof Replaced)) throw error;
+    });
+  }
+
+  #ticket() {
     const ticket = ++this.#newest;
-    const { faces = [work.face] } = this.#current ?? {};
-    const incoming = { ...(await fromWork(work)), faces };
-    await this.#enqueue(() => this.#install(incoming, () => ticket === this.#newest));
+    return () => ticket === this.#newest;
   }
 
   /** @param {(isWanted: () => boolean) => Promise<Incoming>} read */
   #open(read) {
     return this.#run(async (isWanted) => {
       const incoming = await read(isWanted);
-      const isOpen = isWanted() && (await this.#enqueue(() => this.#install(incoming, isWanted)));
-      if (isOpen) this.#onOpened(incoming);
-      incoming.bitmap.close();
+      await this.#enqueue(() => this.#install(incoming, isWanted));
+      this.#listeners.opened(incoming);
     });
   }
 
   /**
    * Runs a request, cancels the pending one and reports errors.
    *
-   * @param {(isWanted: () => boolean) => Promise<void>} act `isWanted` returns false once a newer request has begun
+   * @param {(isWanted: () => boolean) => Promise<unknown>} act `isWanted` returns false once a newer request has begun
    */
   async #run(act) {
-    const ticket = ++this.#newest;
-    const isWanted = () => ticket === this.#newest;
-    dismissNotices();
-    hideProgress();
+    const isWanted = this.#ticket();
+    this.#listeners.begun();
     try {
       await act(isWanted);
     } catch (error) {
-      if (isTrap(error)) (await this.#context.host)?.fail(error);
-      else if (isWanted() && !(error instanceof Replaced)) showError(error);
+      if (isTrap(error)) (await this.#host)?.fail(error);
+      if (isWanted() && !(error instanceof Replaced)) this.#listeners.failed(error);
     } finally {
-      if (isWanted()) hideProgress();
-      this.#context.faceChoice.mark(this.#current?.face);
+      this.#listeners.ended(isWanted());
     }
-  }
-
-  /**
-   * @param {Host} host
-   * @param {File} file
-   * @param {() => boolean} isWanted
-   */
-  async #addPhoto(host, file, isWanted) {
-    const max = host.ask((studio) => studio.maxPhotos) ?? 1;
-    if (this.#current && photosOf(this.#current.face).length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
-    if ((await kindOf(file)) !== "other") throw { code: "not-a-picture", message: "a saved face", hint: "" };
-    const { face: photo, bitmap } = await readPhoto(this.#context.vision, file, stemOf(file), isWanted);
-    bitmap.close();
-    await this.#enqueue(async () => {
-      if (!(await this.#addDetected(host, photo, isWanted))) return;
-      const adds = host.ask((studio) => photoFacts(studio).at(-1)?.adds);
-      if (adds === false) showRemark("adds-little", { name: file.name });
-    });
-  }
-
-  /**
-   * Adds a photo whose landmarks are known. Resolves to false if the face already has it, or the request was cancelled.
-   *
-   * @param {Host} host
-   * @param {OpenedFace} photo
-   * @param {() => boolean} isWanted
-   */
-  async #addDetected(host, photo, isWanted) {
-    if (indexOfPhoto(this.#current?.face, photo) !== undefined || !(await openPicture(host, photo, isWanted))) return false;
-    const detection = detectionOf(photo);
-    await this.#changePhotos(host, (studio) => studio.addPhoto(...detection), (photos) => [...photos, photo]);
-    return true;
-  }
-
-  /**
-   * Changes the photos of the open face in the studio, the saved work and the display.
-   *
-   * @param {Host} host
-   * @param {(studio: import("../wasm/rosto-studio-web.js").Studio) => import("../wasm/rosto-studio-web.js").ChangeName} act
-   * @param {(photos: OpenedFace[]) => OpenedFace[]} change
-   */
-  async #changePhotos(host, act, change) {
-    const { overlay, autosave, faceChoice } = this.#context;
-    const before = this.#current;
-    if (!before) return;
-    const { face: previous, faces } = before;
-    const lens = host.ask((studio) => studio.photoLens);
-    host.attempt(act);
-    const place = host.ask((studio) => photoFacts(studio).findIndex(({ leads }) => leads)) ?? 0;
-    // When another photo becomes the lead photo, the previous one keeps the lens that the user set.
-    const withLens = photosOf(previous).map((photo, at) => (at === (previous.place ?? 0) && lens !== undefined ? { ...photo, lens } : photo));
-    const isSameLead = change(photosOf(previous))[place]?.landmarks === previous.landmarks;
-    const face = faceFromPhotos(change(isSameLead ? photosOf(previous) : withLens), place, previous.name);
-    autosave.replaceFace(face);
-    this.#current = { face, faces: isSameLead ? faces.map((other) => (other === previous ? face : other)) : [face] };
-    // Listeners read the photos of the texture, which have just changed.
-    host.announce();
-    await nextTask();
-    const { faces: shown } = this.#current;
-    try {
-      const bitmap = await bitmapOf(face);
-      overlay.show(await overlay.prepare(face, bitmap));
-      await faceChoice.show(shown, recentFaces(this.#earlier, shown), bitmap);
-      bitmap.close();
-    } catch (error) {
-      // The face itself has changed; only the display of its photo failed.
-      showError({ code: "photo-not-shown", message: String(error), hint: "" });
-    }
-  }
-
-  /**
-   * @param {ShownFace | undefined} shown earlier in this visit
-   * @returns {Promise<Incoming>}
-   */
-  async #reopen(shown) {
-    if (!shown || shown.face === this.#current?.face) throw new Replaced();
-    return fromVisit(shown, this.#context.autosave.lastEditsOf(shown.face));
   }
 
   /**
@@ -300,49 +267,180 @@ export class Opening {
   }
 
   /**
-   * Opens a face in the studio, atomically and as the last step that can fail. The pixels, the face and the photo panel
-   * are updated in separate tasks to keep the page responsive.
+   * Reads a file, and reports the progress while `isWanted` returns true.
+   *
+   * @param {Blob} file
+   * @param {() => boolean} isWanted
+   * @param {string} [name]
+   * @returns {Promise<Incoming>}
+   */
+  async #read(file, isWanted, name) {
+    if (!(file instanceof File && SAVED.test(file.name))) this.#listeners.progress("loading", 0);
+    // Measure from the first progress report, so that loading the worker does not count.
+    let begun_ms = NaN;
+    const read = await this.#vision.open(file, (stage, fraction) => {
+      if (Number.isNaN(begun_ms)) begun_ms = performance.now();
+      if (isWanted()) this.#listeners.progress(stage, fraction);
+    });
+    const { bitmaps, opened: { changedElsewhere, faces: [found] } } = read;
+    const defaultDensity = (await this.#host)?.catalogue.defaultDensity;
+    const faces = facesOf(read, name ?? nameIn(file, found?.edits, defaultDensity));
+    const [face] = faces;
+    if (!found || !face) throw noFace();
+    const facts = Number.isNaN(begun_ms) ? {} : { extraction_ms: performance.now() - begun_ms };
+    return { face, faces, bitmaps, changedElsewhere, isDoubtful: found.isDoubtful, ...facts };
+  }
+
+  /** @param {ShownFace} shown */
+  async #withBitmaps({ face, faces }) {
+    return { face, faces, bitmaps: await this.#bitmapsOf(face) };
+  }
+
+  /** @param {FacePhoto} face */
+  #bitmapsOf({ pictures, files }) {
+    return Promise.all(pictures.map((picture) => this.#vision.picture(picture, files)));
+  }
+
+  /**
+   * Opens a face in the studio, atomically and as the last step that can fail.
    *
    * @param {Incoming} incoming
    * @param {() => boolean} isWanted
    */
-  async #install({ face, faces, bitmap, edits }, isWanted) {
-    const { host, overlay, autosave } = this.#context;
-    const opened = await host;
-    const photos = photosOf({ ...face, lens: edits?.lens ?? face.lens });
-    if (opened && !(await openPictures(opened, photos, isWanted))) return false;
-    const prepared = await overlay.prepare(face, bitmap);
+  async #install({ face, faces, bitmaps, preferences }, isWanted) {
+    const host = await this.#host;
+    const picture = bitmaps[face.lead];
+    if (!picture) throw new Error("no picture of the lead photo");
     if (!isWanted()) {
-      prepared.part.close();
-      return false;
+      closeAll(bitmaps);
+      throw new Replaced();
     }
-    // Save an edit in progress too.
-    opened?.act((studio) => studio.commit());
-    autosave.flush();
-    if (opened) openFace(opened, photos, edits);
-    if (opened) autosave.start(face);
-    this.#earlier = shownBefore([this.#current, ...this.#earlier], face);
-    this.#current = { face, faces };
+    const prepared = await this.#listeners.prepare({ face, faces }, picture);
+    try {
+      if (host) await this.#show(host, { face, faces, bitmaps }, isWanted);
+      else if (!isWanted()) throw new Replaced();
+    } catch (error) {
+      prepared.discard();
+      throw error;
+    }
+    if (!host) {
+      closeAll(bitmaps);
+      this.#setCurrent({ face, faces });
+    }
+    if (preferences) host?.apply({ "restore-preferences": preferences });
+    this.remember();
     await nextTask();
-    overlay.show(prepared);
-    return true;
+    prepared.show();
   }
 
-  /** @param {Incoming} incoming */
-  #onOpened({ faces, bitmap, extraction_ms, changedElsewhere, isDoubtful, ofThisVisit = false }) {
-    const { host, opened, faceChoice } = this.#context;
-    document.body.dataset["state"] = document.body.dataset["host"] === "open" ? "face" : "photo";
-    byId("welcome", HTMLElement).hidden = true;
-    byId("toolbar", HTMLDivElement).hidden = document.body.dataset["host"] !== "open";
-    // Collapse the photo to make room for the tools; without a 3D view, keep it open.
-    byId("section-photo", HTMLDetailsElement).open = document.body.dataset["state"] === "photo";
-    faceChoice.show(faces, recentFaces(this.#earlier, faces), bitmap).catch((error) => console.warn("cannot show the recent faces:", error));
-    resetPanel(ofThisVisit);
-    // Fields that were being typed in can be updated again.
-    host.then((ready) => ready?.announce());
-    opened(extraction_ms);
-    if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
-    else if (isDoubtful) showRemark("may-not-be-a-face", {});
-    else if (document.body.dataset["host"] === "open") showHints();
+  /**
+   * Opens a face in the studio. Each picture is uploaded in its own task to keep the page responsive.
+   *
+   * @param {Host} host
+   * @param {Incoming} incoming
+   * @param {() => boolean} isWanted
+   */
+  async #show(host, { face, faces, bitmaps }, isWanted) {
+    await this.#addPictures(host, face.pictures, bitmaps, isWanted);
+    // Save an edit in progress too.
+    host.apply("commit");
+    this.remember();
+    this.#listeners.leaving();
+    host.perform((studio) => {
+      const changed = studio.open(face.photos, face.edits, face.pictures);
+      // Before the studio's listeners run.
+      this.#setCurrent({ face, faces, host, instance: host.instance });
+      return changed;
+    });
+    this.#listeners.started(face);
   }
+
+  /** @param {Current} next */
+  #setCurrent(next) {
+    this.#earlier = shownBefore([this.#current, ...this.#earlier], next.face);
+    this.#current = next;
+  }
+
+  /**
+   * Passes pictures to the studio, which then owns them. Throws `Replaced` if the request was cancelled.
+   *
+   * @param {Host} host
+   * @param {string[]} pictures
+   * @param {ImageBitmap[]} bitmaps
+   * @param {() => boolean} isWanted
+   */
+  async #addPictures(host, pictures, bitmaps, isWanted) {
+    for (const [index, bitmap] of bitmaps.entries()) {
+      if (!isWanted()) throw new Replaced();
+      host.answer((studio) => studio.addPicture(pictures[index] ?? "", bitmap));
+      await nextTask();
+    }
+    if (!isWanted()) throw new Replaced();
+  }
+
+  /**
+   * @param {File} file
+   * @param {() => boolean} isWanted
+   */
+  async #addPhoto(file, isWanted) {
+    const host = await this.#host;
+    const max = host?.catalogue.maxPhotos ?? 1;
+    if (this.face && this.face.pictures.length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
+    const { face, bitmaps } = await this.#read(file, isWanted);
+    if (face.files[0]?.kind === "saved") throw { code: "not-a-picture", message: "a saved face", hint: "" };
+    await this.#enqueue(() => this.#addFound(face, bitmaps, isWanted));
+    if (host?.read(({ photos }) => photos.at(-1)?.adds) === false) this.#listeners.addedLittle(file.name);
+  }
+
+  /**
+   * Adds a photo whose landmarks are known; no-op if the face has it already.
+   *
+   * @param {FacePhoto} photo
+   * @param {ImageBitmap[]} bitmaps
+   * @param {() => boolean} isWanted
+   */
+  async #addFound({ photos, pictures: [picture = ""], files }, bitmaps, isWanted) {
+    const { face, host } = this.#current ?? {};
+    if (!face || !host || face.pictures.includes(picture)) return;
+    await this.#addPictures(host, [picture], bitmaps, isWanted);
+    await this.#changePhotos((studio) => studio.addPhoto(photos, picture), files);
+  }
+
+  /**
+   * Changes the photos of the open face in the studio, the saved work and the display.
+   *
+   * @param {(studio: Studio) => Changed} act
+   * @param {import("./work/face.js").SourceFile[]} [added]
+   */
+  async #changePhotos(act, added = []) {
+    const { face, host } = this.#current ?? {};
+    if (!this.#current || !face || !host) return;
+    const leadBefore = face.pictures[face.lead];
+    host.perform((studio) => {
+      const changed = act(studio);
+      // Before the studio's listeners run.
+      this.remember();
+      face.files = filesWith([...face.files, ...added], face.pictures);
+      return changed;
+    });
+    const lead = face.pictures[face.lead];
+    const isSameLead = lead === leadBefore;
+    if (!isSameLead) this.#current = { ...this.#current, faces: [face] };
+    const { faces } = this.#current;
+    this.#listeners.photosChanged({ face, faces });
+    if (isSameLead || lead === undefined) return;
+    try {
+      const [bitmap] = await this.#bitmapsOf(photoOf(face, lead));
+      if (bitmap) (await this.#listeners.prepare({ face, faces }, bitmap)).show();
+      bitmap?.close();
+    } catch (error) {
+      // The face itself has changed; only the display of its photo failed.
+      this.#listeners.failed({ code: "photo-not-shown", message: String(error), hint: "" });
+    }
+  }
+}
+
+/** @param {ImageBitmap[]} bitmaps */
+function closeAll(bitmaps) {
+  for (const bitmap of bitmaps) bitmap.close();
 }

@@ -27,7 +27,7 @@ Exit codes:
 pub struct Arguments {
     /// Folder with face_detector.onnx, face_landmarks.onnx and face_landmarks_attention.onnx
     ///
-    /// Default: the environment variable ROSTO_NETWORKS; without it, the networks embedded in a release build. A build
+    /// Default: the environment variable ROSTO_NETWORKS; without it, the networks embedded in a release. A build
     /// without networks looks next to the program and, if it is a debug build, in web/assets of the source tree.
     #[arg(long, global = true, value_name = "DIR")]
     pub networks: Option<PathBuf>,

@@ -1,97 +1,68 @@
+//! Text and JSON forms of edits. Offsets are in the units of the command line, sliders' amounts in metres.
+
 use std::path::Path;
-use std::str::FromStr;
 
 use glam::DVec3;
 use rosto_face::Region;
-use rosto_studio::{Expression, FaceSlider};
+use rosto_studio::{Anchors, Command, Expression, FaceSlider};
 use serde::Deserialize;
 
 use crate::error::CliError;
 use crate::input;
 
-/// Edit of one vertex, in the units of the command line.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Edit {
-    /// Subdivision level of the vertex's mesh; 0 for landmarks.
-    pub level: u32,
-    pub vertex: u32,
-    pub offset: DVec3,
-    /// Vertices that stay fixed; `None` uses the anchor rule.
-    pub anchors: Option<Vec<u32>>,
-}
+pub const MM_PER_M: f64 = 1000.0;
 
-impl FromStr for Edit {
-    type Err = String;
-
-    /// Parses `VERTEX:DX,DY,DZ` or `VERTEX:DX,DY,DZ:A,B`; `VERTEX@LEVEL` addresses a vertex of a denser mesh.
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let mut parts = text.split(':');
-        let (vertex, level) = vertex_of_level(parts.next().unwrap_or_default())?;
-        let offset = offset(parts.next().ok_or("expected an offset after the vertex, as in 4:0,0,1")?)?;
-        let anchors = parts.next().map(|anchors| anchors.split(',').map(self::vertex).collect()).transpose()?;
-        match parts.next() {
-            Some(rest) => Err(format!("unexpected {rest:?} after the anchors")),
-            None => Ok(Self { level, vertex, offset, anchors }),
-        }
+/// Parses `VERTEX:DX,DY,DZ` or `VERTEX:DX,DY,DZ:A,B`; `VERTEX@LEVEL` addresses a vertex of a denser mesh.
+pub fn vertex_edit(text: &str) -> Result<Command, String> {
+    let mut parts = text.split(':');
+    let (vertex, level) = vertex_of_level(parts.next().unwrap_or_default())?;
+    let offset = offset(parts.next().ok_or("expected an offset after the vertex, as in 4:0,0,1")?)?;
+    let anchors = parts.next().map(|anchors| anchors.split(',').map(self::vertex).collect()).transpose()?;
+    match parts.next() {
+        Some(rest) => Err(format!("unexpected {rest:?} after the anchors")),
+        None => Ok(moved(level, vertex, offset, anchors)),
     }
 }
 
-/// Offset of a region, in the units of the command line.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RegionEdit {
-    pub region: Region,
-    pub offset: DVec3,
-}
-
-impl FromStr for RegionEdit {
-    type Err = String;
-
-    /// Parses `REGION:DX,DY,DZ`.
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let (name, offset) = text.split_once(':').ok_or("expected an offset after the region, as in nose:0,0,5")?;
-        let region =
-            Region::from_id(name).ok_or_else(|| format!("unknown region {name:?}; --help lists the regions"))?;
-        Ok(Self { region, offset: self::offset(offset)? })
+/// The move of a vertex. Without anchors, the command line's settings select them.
+fn moved(level: u32, vertex: u32, offset: DVec3, anchors: Option<Vec<u32>>) -> Command {
+    let mut command = Command::move_vertex(level, vertex, offset);
+    if let (Command::Move { spec, .. }, Some(anchors)) = (&mut command, anchors) {
+        spec.settings.anchors = Anchors::explicit(anchors);
     }
+    command
 }
 
-/// Slider and its amount in millimetres.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SliderEdit {
-    pub slider: FaceSlider,
-    pub amount_mm: f64,
+/// Parses `REGION:DX,DY,DZ`.
+pub fn region_edit(text: &str) -> Result<Command, String> {
+    let (name, offset) = text.split_once(':').ok_or("expected an offset after the region, as in nose:0,0,5")?;
+    let region = Region::from_id(name).ok_or_else(|| format!("unknown region {name:?}; --help lists the regions"))?;
+    Ok(Command::move_region(region, self::offset(offset)?))
 }
 
-impl FromStr for SliderEdit {
-    type Err = String;
+/// Parses `SLIDER:MM`.
+pub fn slider_edit(text: &str) -> Result<Command, String> {
+    let (name, amount) = text.split_once(':').ok_or("expected an amount after the slider, as in jaw-width:-4")?;
+    let slider =
+        FaceSlider::from_id(name).ok_or_else(|| format!("unknown slider {name:?}; --help lists the sliders"))?;
+    Ok(slider.command(number(amount)? / MM_PER_M))
+}
 
-    /// Parses `SLIDER:MM`.
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let (name, amount) = text.split_once(':').ok_or("expected an amount after the slider, as in jaw-width:-4")?;
-        let slider =
-            FaceSlider::from_id(name).ok_or_else(|| format!("unknown slider {name:?}; --help lists the sliders"))?;
-        Ok(Self { slider, amount_mm: number(amount)? })
+/// Parses `EXPRESSION:WEIGHT`.
+pub fn expression_edit(text: &str) -> Result<Command, String> {
+    let (name, weight) = text.split_once(':').ok_or("expected a weight after the expression, as in jawOpen:0.6")?;
+    let expression = Expression::from_id(name)
+        .ok_or_else(|| format!("unknown expression {name:?}; --help lists the expressions"))?;
+    let weight = Some(number(weight)?).filter(|weight| (0.0..=1.0).contains(weight));
+    Ok(Command::Express { expression, weight: weight.ok_or("expected a weight from 0 to 1")? })
+}
+
+/// The command with its offsets multiplied by `unit`.
+pub fn scaled(mut command: Command, unit: f64) -> Command {
+    if let Command::Move { offsets, .. } = &mut command {
+        offsets.iter_mut().for_each(|offset| *offset *= unit);
     }
-}
-
-/// Expression and its weight, 0 to 1.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ExpressionEdit {
-    pub expression: Expression,
-    pub weight: f64,
-}
-
-impl FromStr for ExpressionEdit {
-    type Err = String;
-
-    /// Parses `EXPRESSION:WEIGHT`.
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let (name, weight) = text.split_once(':').ok_or("expected a weight after the expression, as in jawOpen:0.6")?;
-        let expression = Expression::from_id(name)
-            .ok_or_else(|| format!("unknown expression {name:?}; --help lists the expressions"))?;
-        let weight = Some(number(weight)?).filter(|weight| (0.0..=1.0).contains(weight));
-        Ok(Self { expression, weight: weight.ok_or("expected a weight from 0 to 1")? })
-    }
+    command
 }
 
 fn vertex_of_level(text: &str) -> Result<(u32, u32), String> {
@@ -132,7 +103,7 @@ struct EditDto {
 const MAX_BYTES: usize = 16_000_000;
 
 /// Reads a JSON file of edits, with or without a byte-order mark.
-pub fn read(path: &Path) -> Result<Vec<Edit>, CliError> {
+pub fn read(path: &Path) -> Result<Vec<Command>, CliError> {
     let unreadable = |reason| CliError::EditsUnreadable { path: path.to_owned(), reason };
     let bytes = input::read(path, MAX_BYTES).map_err(unreadable)?;
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
@@ -141,7 +112,7 @@ pub fn read(path: &Path) -> Result<Vec<Edit>, CliError> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let refused = |reason: serde_json::Error| CliError::EditsFile { path: path.to_owned(), reason: reason.to_string() };
     let edits: Vec<EditDto> = serde_json::from_slice(text).map_err(refused)?;
-    let edit = |EditDto { vertex, level, offset, anchors }| Edit { level, vertex, offset: offset.into(), anchors };
+    let edit = |EditDto { vertex, level, offset, anchors }| moved(level, vertex, offset.into(), anchors);
     Ok(edits.into_iter().map(edit).collect())
 }
 
@@ -151,23 +122,24 @@ mod tests {
 
     #[test]
     fn edits_parse_with_and_without_anchors() {
-        let edit = |level, anchors| Edit { level, vertex: 4, offset: DVec3::new(-0.5, 0.0, 1e-3), anchors };
-        assert_eq!("4:-0.5,0,1e-3".parse(), Ok(edit(0, None)));
-        assert_eq!("4:-.5, 0 ,0.001:10,152".parse(), Ok(edit(0, Some(vec![10, 152]))));
-        assert_eq!("4@2:-0.5,0,1e-3".parse(), Ok(edit(2, None)));
+        let edit = |level, anchors| Ok(moved(level, 4, DVec3::new(-0.5, 0.0, 1e-3), anchors));
+        assert_eq!(vertex_edit("4:-0.5,0,1e-3"), edit(0, None));
+        assert_eq!(vertex_edit("4:-.5, 0 ,0.001:10,152"), edit(0, Some(vec![10, 152])));
+        assert_eq!(vertex_edit("4@2:-0.5,0,1e-3"), edit(2, None));
+        assert_ne!(edit(0, None), edit(0, Some(vec![10, 152])));
     }
 
     #[test]
     fn regions_sliders_and_expressions_parse_by_id() {
-        let region = RegionEdit { region: Region::LeftBrow, offset: DVec3::new(0.0, 2.0, 0.0) };
-        assert_eq!("left-brow:0,2,0".parse(), Ok(region));
-        assert_eq!("jaw-width:-4".parse(), Ok(SliderEdit { slider: FaceSlider::JawWidth, amount_mm: -4.0 }));
-        let open = ExpressionEdit { expression: Expression::JawOpen, weight: 0.6 };
-        assert_eq!("jawOpen:0.6".parse(), Ok(open));
-        assert!("tongueOut:1".parse::<ExpressionEdit>().unwrap_err().contains("unknown expression"));
-        assert!("jawOpen:1.2".parse::<ExpressionEdit>().unwrap_err().contains("from 0 to 1"));
-        assert!("ear:0,0,1".parse::<RegionEdit>().unwrap_err().contains("unknown region"));
-        assert!("ear-size:1".parse::<SliderEdit>().unwrap_err().contains("unknown slider"));
+        let region = Command::move_region(Region::LeftBrow, DVec3::new(0.0, 2.0, 0.0));
+        assert_eq!(region_edit("left-brow:0,2,0"), Ok(region));
+        assert_eq!(slider_edit("jaw-width:-4"), Ok(FaceSlider::JawWidth.command(-0.004)));
+        let open = Command::Express { expression: Expression::JawOpen, weight: 0.6 };
+        assert_eq!(expression_edit("jawOpen:0.6"), Ok(open));
+        assert!(expression_edit("tongueOut:1").unwrap_err().contains("unknown expression"));
+        assert!(expression_edit("jawOpen:1.2").unwrap_err().contains("from 0 to 1"));
+        assert!(region_edit("ear:0,0,1").unwrap_err().contains("unknown region"));
+        assert!(slider_edit("ear-size:1").unwrap_err().contains("unknown slider"));
     }
 
     #[test]
@@ -181,7 +153,7 @@ mod tests {
             ("4:0,0,1:x,2", "invalid vertex"),
             ("4:0,0,1:1,2:3", "unexpected"),
         ] {
-            let reason = text.parse::<Edit>().unwrap_err();
+            let reason = vertex_edit(text).unwrap_err();
             assert!(reason.contains(word), "{text}: {reason}");
         }
     }

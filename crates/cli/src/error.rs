@@ -1,6 +1,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use rosto::Error;
 use rosto_export::ExportError;
 use rosto_face::{FaceError, MAX_PHOTOS};
 use rosto_landmarks::LandmarksError;
@@ -19,9 +20,7 @@ const _: () = assert!(MAX_PHOTOS == 5, "CliError::TooManyPhotos writes the limit
 #[derive(Debug, Error)]
 pub enum CliError {
     #[error("{flag} has no effect: {reason}")]
-    NoEffect { flag: &'static str, reason: &'static str },
-    #[error("{reason}")]
-    InvalidOptions { reason: String },
+    NoEffect { flag: String, reason: String },
     #[error("standard input (-) is given more than once")]
     StandardInputTwice,
     #[error("{}: the output would overwrite the input {}", named(path), named(input))]
@@ -64,8 +63,6 @@ pub enum CliError {
     EditsFile { path: PathBuf, reason: String },
     #[error("{}: the file is UTF-16", named(path))]
     EditsUtf16 { path: PathBuf },
-    #[error("edit {number} ({name}): {reason}")]
-    Edit { number: usize, name: String, reason: StudioError },
     #[error("{}: unknown file extension; use one of {}", named(path), extensions())]
     UnknownFormat { path: PathBuf },
     #[error("{}: image coordinates can only be written as .json", named(path))]
@@ -89,12 +86,23 @@ pub enum CliError {
     #[error("{}: invalid result of the networks: landmark {landmark} is not finite", named(path))]
     NonFiniteLandmark { path: PathBuf, landmark: usize },
     #[error(transparent)]
-    Export(#[from] ExportError),
-    #[error(transparent)]
-    Studio(#[from] StudioError),
+    Request(#[from] rosto::Error),
 }
 
 impl CliError {
+    /// The error of a request, with the path of the photo that caused it.
+    pub fn in_photos(reason: Error, paths: &[&Path]) -> Self {
+        let path = |photo: usize| paths.get(photo).map_or_else(PathBuf::new, |path| path.to_path_buf());
+        match reason {
+            Error::Face(FaceError::InPhoto { photo, reason }) => Self::NoModel { path: path(photo), reason: *reason },
+            Error::Face(FaceError::AnotherFace { photo, reprojection_px, most_px }) => {
+                Self::AnotherFace { path: path(photo), reprojection_px, most_px }
+            }
+            Error::Face(reason) => Self::NoModel { path: path(0), reason },
+            reason => Self::Request(reason),
+        }
+    }
+
     /// Writes the error and its hint to standard error.
     pub fn report(&self) {
         let mut text = format!("rosto: {}\n", terminal::escaped(&self.to_string()));
@@ -122,7 +130,6 @@ impl CliError {
     /// Exit code, as `--help` lists them.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::InvalidOptions { .. } => 2,
             Self::NoEffect { .. }
             | Self::StandardInputTwice
             | Self::OverwritesInput { .. }
@@ -134,18 +141,14 @@ impl CliError {
             Self::SomePhotosFailed { .. } => 3,
             Self::NoFace { .. } | Self::AnotherFace { .. } => 4,
             // An offset of 1e300 is a valid edit, but exceeds the file's precision.
-            Self::Edit { .. } | Self::Export(ExportError::NotFinite { .. }) => 5,
-            Self::Export(ExportError::Solid(_)) => 5,
+            Self::Request(Error::Edit { .. } | Error::Export(ExportError::NotFinite { .. })) => 5,
+            Self::Request(Error::Export(ExportError::Solid(_))) => 5,
             // Too little of the face lies in the photo to warp it.
-            Self::Studio(StudioError::Warp(_)) => 5,
+            Self::Request(Error::Studio(StudioError::Warp(_))) => 5,
             Self::Unwritable { .. } | Self::InUse { .. } | Self::Output(_) => 6,
             Self::NetworksMissing { .. } | Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => 7,
             Self::Networks(_) | Self::NetworksFailed { .. } | Self::NonFiniteLandmark { .. } => 7,
-            Self::InternalError { .. }
-            | Self::NoModel { .. }
-            | Self::NotEncoded { .. }
-            | Self::Export(_)
-            | Self::Studio(_) => 1,
+            Self::InternalError { .. } | Self::NoModel { .. } | Self::NotEncoded { .. } | Self::Request(_) => 1,
         }
     }
 }

@@ -1,5 +1,6 @@
 use std::path::{Path, PathBuf};
 
+use rosto_face::{FaceModel, Observation, Triangulation};
 use rosto_landmarks::{Face, FaceFinder, FindOptions, FoundFaces};
 use rosto_photo::Photo;
 use serde::Serialize;
@@ -9,8 +10,7 @@ use crate::args::LandmarksTask;
 use crate::batch::{self, BatchSummary, Journal, Listing, Outcome, PhotoName, Progress};
 use crate::error::CliError;
 use crate::face_notes::notes_on_all;
-use crate::networks::Networks;
-use crate::{files, networks, output, portrait, terminal};
+use crate::{faces, files, networks, output, terminal};
 
 #[derive(Serialize)]
 struct PhotoDto<'a> {
@@ -33,15 +33,20 @@ struct FaceDto {
     landmarks: Vec<[f32; 3]>,
     /// Camera, pose and size of the face; absent if no model can be made.
     #[serde(skip_serializing_if = "Option::is_none")]
-    about: Option<serde_json::Value>,
+    about: Option<Value>,
 }
 
 impl FaceDto {
     fn new(photo: &Photo, face: Face) -> Self {
-        let about = portrait::about(photo, &face);
         let Face { score, presence, confidence, landmarks, .. } = face;
+        let about = about(Observation::without_picture(photo, landmarks.clone()));
         Self { score, presence, confidence, landmarks, about }
     }
+}
+
+fn about(observation: Observation) -> Option<Value> {
+    let model = FaceModel::new(observation, Triangulation::Canonical).ok()?;
+    Some(rosto_export::about(&model, model.positions_m()))
 }
 
 /// Line for a photo that failed, written only to a file.
@@ -54,7 +59,7 @@ struct FailureDto<'a> {
 }
 
 /// Runs `rosto landmarks`: writes a line per photo and reports photos that cannot be read.
-pub fn run(task: &LandmarksTask, networks: Networks<'_>) -> Result<(), CliError> {
+pub fn run(task: &LandmarksTask, networks: Option<&Path>) -> Result<(), CliError> {
     files::check_standard_input(task.photos.iter().map(PathBuf::as_path))?;
     let photos = batch::photos(&task.photos)?;
     let finder = networks::load(networks, task.find.landmarks())?;
@@ -140,8 +145,8 @@ struct Line {
 }
 
 fn line(path: &Path, how: &Value, finder: &FaceFinder, options: &FindOptions) -> Result<Line, CliError> {
-    let photo = portrait::open(path)?;
-    let found = portrait::faces(&photo, path, finder, options)?;
+    let photo = faces::open(path)?;
+    let found = faces::all(&photo, path, finder, options)?;
     let notes = notes_on_all(path, &found);
     let FoundFaces { faces, at_least } = found;
     let dto = PhotoDto {

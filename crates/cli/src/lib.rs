@@ -1,14 +1,14 @@
 //! Implementation of the command line, `rosto`: landmarks and edited, coloured meshes from photos of faces. It is a
-//! library, so that the Python package shares it.
+//! library, so that the Python package contains it.
 
 mod args;
 mod batch;
 mod choices;
 mod edits;
-mod encode;
+mod effect;
 mod error;
-mod face_mesh;
 mod face_notes;
+mod faces;
 mod files;
 mod input;
 mod landmarks;
@@ -17,8 +17,6 @@ mod networks;
 mod output;
 mod paper;
 mod photo;
-mod portrait;
-mod request;
 mod settings;
 mod terminal;
 mod view_notes;
@@ -29,26 +27,17 @@ use std::io::{self, Write};
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 
 use crate::args::{Arguments, Task};
+use crate::effect::Given;
 use crate::error::CliError;
-use crate::networks::Networks;
-use crate::request::Given;
-
-pub use face_mesh::{FaceMesh, FaceMeshError};
-pub use networks::EmbeddedNetworks;
 
 /// Runs a command line, given with the program's name, and returns its exit code.
 pub fn command_line(words: impl IntoIterator<Item = OsString>) -> u8 {
-    command_line_with(words, &[])
-}
-
-/// Like [`command_line`], for a program with embedded networks. A folder given by the user takes precedence.
-pub fn command_line_with(words: impl IntoIterator<Item = OsString>, embedded: EmbeddedNetworks) -> u8 {
     let understood = Arguments::command().try_get_matches_from(words).and_then(|matches| {
         let arguments = Arguments::from_arg_matches(&matches)?;
         Ok((matches, arguments))
     });
     let outcome = match understood {
-        Ok((matches, arguments)) => run(&arguments, &matches, embedded),
+        Ok((matches, arguments)) => run(&arguments, &matches),
         Err(error) => return not_understood(&error),
     };
     match outcome {
@@ -62,8 +51,8 @@ pub fn command_line_with(words: impl IntoIterator<Item = OsString>, embedded: Em
     }
 }
 
-fn run(arguments: &Arguments, matches: &ArgMatches, embedded: EmbeddedNetworks) -> Result<(), CliError> {
-    let networks = Networks { named: arguments.networks.as_deref(), embedded };
+fn run(arguments: &Arguments, matches: &ArgMatches) -> Result<(), CliError> {
+    let networks = arguments.networks.as_deref();
     let given = Given(matches.subcommand().map_or(matches, |(_, given)| given));
     match &arguments.task {
         Task::Landmarks(task) => landmarks::run(task, networks),

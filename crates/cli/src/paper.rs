@@ -3,16 +3,15 @@ use std::time::{Duration, Instant};
 use std::{fs, io};
 
 use glam::DVec3;
+use rosto::landmarks_m_from_image;
 use rosto_export::{BaseColour, GlbOptions, Model, glb};
-use rosto_face::{FaceModel, PhotoLens, Triangulation};
+use rosto_face::{FaceModel, Observation, PhotoLens, Triangulation};
 use rosto_laplacian::LaplacianError;
 use rosto_studio::paper::{Experiment, Method, MethodOutcome, Plan, PlotWords, Trial, svg};
 
 use crate::args::PaperTask;
-use crate::encode::landmarks_m_from_image;
 use crate::error::CliError;
-use crate::networks::Networks;
-use crate::{files, networks, output, portrait, terminal};
+use crate::{faces, files, networks, output, terminal};
 
 mod report;
 
@@ -29,18 +28,20 @@ const PLOT_PX: [f64; 2] = [640.0, 400.0];
 
 /// Runs `rosto paper`: the paper's experiment on this photo and machine, over many seeds and with each operator and
 /// constraint.
-pub fn run(task: &PaperTask, networks: Networks<'_>) -> Result<(), CliError> {
+pub fn run(task: &PaperTask, networks: Option<&Path>) -> Result<(), CliError> {
     check_output(task)?;
-    let photo = portrait::open(&task.photo)?;
+    let photo = faces::open(&task.photo)?;
     let finder = networks::load(networks, task.find.landmarks())?;
     let started = Instant::now();
-    let (face, notes) = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
+    let (landmarks, notes) = faces::first(&photo, &task.photo, &finder, &task.find)?;
     let extraction = started.elapsed();
     notes.iter().for_each(|note| terminal::note(note));
     let started = Instant::now();
-    let face = portrait::model(&photo, &face, Triangulation::Tessellation, PhotoLens::Estimated, &task.photo)?;
+    let observation = Observation::without_picture(&photo, landmarks).with_lens(PhotoLens::Estimated);
+    let face = FaceModel::new(observation, Triangulation::Tessellation)
+        .map_err(|reason| CliError::NoModel { path: task.photo.clone(), reason })?;
     let generation = started.elapsed();
-    let unsolved = |reason: LaplacianError| CliError::Studio(reason.into());
+    let unsolved = |reason: LaplacianError| CliError::Request(rosto::Error::Studio(reason.into()));
     let experiment = Experiment::new(face.topology().clone(), face.positions_image().to_vec()).map_err(unsolved)?;
     let of_method = |method| Ok((method, trials(&experiment, method, task)?));
     let all: Vec<(Method, Vec<Trial>)> =
@@ -130,7 +131,10 @@ fn write_figures(face: &FaceModel, trial: &Trial, folder: &Path) -> Result<(), C
         let positions_m = landmarks_m_from_image(face, positions);
         let name = file.trim_end_matches(".glb");
         let options = GlbOptions { base_colour: BaseColour::VertexColours, name, ..GlbOptions::default() };
-        output::write(&folder.join(file), &glb(&Model::of_face(face).at(&positions_m), &options)?)?;
+        output::write(
+            &folder.join(file),
+            &glb(&Model::of_face(face).at(&positions_m), &options).map_err(rosto::Error::from)?,
+        )?;
     }
     Ok(())
 }

@@ -6,53 +6,41 @@ use std::path::Path;
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
-use rosto_export::Units;
-use rosto_face::FaceModel;
+use rosto::{MeshRequest, PhotoEdit, PhotoRequest, Units};
 use rosto_photo::Photo;
-use rosto_studio::{Document, PhotoWarp};
 
 use crate::args::PhotoTask;
+use crate::effect::{self, Given};
 use crate::error::CliError;
-use crate::mesh::{check_files, edited, steps};
-use crate::networks::Networks;
-use crate::request::{self, Given};
-use crate::{networks, output, portrait, terminal};
+use crate::mesh::check_files;
+use crate::{faces, networks, output, terminal};
 
 /// JPEG quality; PNG is lossless.
 const JPEG_QUALITY: u8 = 95;
 
 /// Runs `rosto photo`.
-pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Networks<'_>) -> Result<(), CliError> {
+pub fn run(task: &PhotoTask, given: &Given<'_>, networks: Option<&Path>) -> Result<(), CliError> {
     check_files(std::slice::from_ref(&task.photo), &task.edits, &task.output)?;
     let format = PictureFormat::of(&task.output)?;
-    request::check_photo(task, given)?;
-    let steps = steps(&task.edits, &task.settings, Units::Mm)?;
-    let photo = portrait::open(&task.photo)?;
+    effect::check_photo(task, given)?;
+    let request = task.mesh.request(Units::Mm, &task.edits, &task.settings)?;
+    let photos = [(task.photo.clone(), faces::open(&task.photo)?)];
     let finder = networks::load(networks, task.find.landmarks())?;
-    let (face, notes) = portrait::face(&photo, &task.photo, &finder, &task.find.options(None))?;
+    let (observations, notes) = faces::observed(&photos, &finder, &task.find, &task.camera)?;
     notes.iter().for_each(|note| terminal::note(note));
-    let face = portrait::model(&photo, &face, task.mesh.topology, task.camera.lens(&photo), &task.photo)?;
-    let document = edited(&face, steps, Units::Mm, task.mesh.density)?;
+    let refused = |reason| CliError::in_photos(reason, &[&task.photo]);
+    let mesh = MeshRequest { photos: observations, ..request }.open().map_err(refused)?;
+    let [(_, photo)] = &photos;
     if photo.alpha().is_some() && matches!(format, PictureFormat::Jpeg) {
         terminal::note("transparent parts become white, because JPEG has no transparency; PNG keeps them");
     }
-    output::write(&task.output, &format.encode(&warped(&photo, &face, &document, task)?, &task.output)?)
-}
-
-fn warped(photo: &Photo, face: &FaceModel, document: &Document, task: &PhotoTask) -> Result<Photo, CliError> {
-    let mut warp = PhotoWarp::new(face, document, task.falloff_band, &task.protected)?;
-    let seen_from = match task.seen_from_m {
-        Some(distance_m) => face.seen_from(distance_m),
-        None => *face.camera(),
-    };
-    warp.follow(document.rest(), document.positions(), face.camera(), &seen_from);
-    if warp.limited_px() > 1.0 {
-        terminal::note(&format!(
-            "the edits in the photo are reduced by up to {:.0} px to avoid folds",
-            warp.limited_px()
-        ));
+    let edit = PhotoEdit { seen_from_m: task.seen_from_m, strokes: vec![task.protected.clone()] };
+    let edited = PhotoRequest { photo, mesh: &mesh, falloff_band: task.falloff_band, edit }.image()?;
+    if edited.limited_px > 1.0 {
+        let limited_px = edited.limited_px;
+        terminal::note(&format!("the edits in the photo are reduced by up to {limited_px:.0} px to avoid folds"));
     }
-    Ok(rosto_warp::drawn(photo, warp.warp_mesh()))
+    output::write(&task.output, &format.encode(&edited.photo, &task.output)?)
 }
 
 /// File format of a photo.

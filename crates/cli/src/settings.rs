@@ -1,26 +1,7 @@
 use glam::DVec2;
 use rosto_face::PhotoLens;
-use rosto_studio::{ConstraintKind, FALLOFF_BAND_SHARES};
+use rosto_studio::FALLOFF_BAND_SHARES;
 use rosto_warp::Dab;
-
-/// Anchor rule of `--anchors`; random anchors get their seed later.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Rule {
-    Random,
-    Oval,
-    Outside { radius: f64 },
-    PinsOnly,
-}
-
-/// Parses `exact` or the weight of a soft constraint.
-pub fn constraint(text: &str) -> Result<ConstraintKind, String> {
-    let weight: Option<f64> = text.parse().ok();
-    match (text, weight) {
-        ("exact", _) => Ok(ConstraintKind::Hard),
-        (_, Some(weight)) if weight > 0.0 && weight.is_finite() => Ok(ConstraintKind::Soft { weight }),
-        _ => Err("expected \"exact\" or a positive weight".to_owned()),
-    }
-}
 
 /// Parses a radius in the units of the edits.
 pub fn radius(text: &str) -> Result<f64, String> {
@@ -79,43 +60,9 @@ fn number(text: &str, is_valid: impl Fn(f64) -> bool, error: &str) -> Result<f64
     text.parse().ok().filter(|number| is_valid(*number)).ok_or_else(|| error.to_owned())
 }
 
-/// Parses `random`, `oval`, `outside:RADIUS` or `pins`.
-pub fn anchors(text: &str) -> Result<Rule, String> {
-    match text.split_once(':') {
-        None if text == "random" => Ok(Rule::Random),
-        None if text == "oval" => Ok(Rule::Oval),
-        None if text == "pins" => Ok(Rule::PinsOnly),
-        Some(("outside", radius)) => match radius.parse() {
-            Ok(radius) if (0.0..f64::INFINITY).contains(&radius) => Ok(Rule::Outside { radius }),
-            _ => Err(format!("invalid radius {radius:?}")),
-        },
-        _ => Err("expected random, oval, outside:RADIUS or pins".to_owned()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn constraints_and_anchor_rules_parse() {
-        assert_eq!(constraint("exact"), Ok(ConstraintKind::Hard));
-        assert_eq!(constraint("2.5"), Ok(ConstraintKind::Soft { weight: 2.5 }));
-        assert!(
-            constraint("0").is_err()
-                && constraint("-1").is_err()
-                && constraint("inf").is_err()
-                && constraint("firm").is_err()
-        );
-        assert_eq!(anchors("outside:30"), Ok(Rule::Outside { radius: 30.0 }));
-        assert_eq!(anchors("oval"), Ok(Rule::Oval));
-        assert!(
-            anchors("outside").is_err()
-                && anchors("outside:nan").is_err()
-                && anchors("outside:inf").is_err()
-                && anchors("everything").is_err()
-        );
-    }
 
     #[test]
     fn radii_and_shares_outside_their_range_are_refused() {

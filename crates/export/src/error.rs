@@ -38,7 +38,7 @@ pub enum ExportError {
         /// Height in px.
         height: u32,
     },
-    /// A picture was requested, but the face is coloured per vertex.
+    /// A picture was requested, but the face has only vertex colours, or was built without its picture.
     #[error("there is no picture to write: the face has vertex colours only")]
     NoPicture,
     /// A 3MF file requires a closed body.
@@ -47,7 +47,4 @@ pub enum ExportError {
     /// The face could not be turned into a closed body.
     #[error(transparent)]
     Solid(#[from] SolidError),
-    /// The picture of a project is not a PNG file.
-    #[error("the picture in a project must be a PNG file")]
-    NotPng,
 }

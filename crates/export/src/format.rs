@@ -21,7 +21,7 @@ use glam::DVec3;
 use crate::model::MM_PER_M;
 use crate::texture;
 use crate::zip::{NamedFile, stored};
-use crate::{BaseColour, ExportError, GlbOptions, Model, Solid, SolidFacts, about, glb, gltf};
+use crate::{BaseColour, ExportError, GlbOptions, Model, Solid, SolidFacts, about, glb};
 
 rosto_mesh::named! {
     /// A mesh file format; its id is the file extension.
@@ -48,19 +48,27 @@ rosto_mesh::named! {
     }
 }
 
-/// An option that some formats support.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ExportOption {
-    /// Source of the face's colours, and the size of its texture.
-    BaseColour,
-    /// Material, morph targets, and the data for reopening the file: [`GlbOptions`].
-    Material,
-    /// Unit of the positions.
-    Units,
-    /// Printable body made from the face.
-    Solid,
-    /// Whether eyes and mouth are separate pieces.
-    Eyes,
+rosto_mesh::named! {
+    /// An option that some formats support.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum ExportOption {
+        /// Source of the face's colours.
+        BaseColour = "base-colour",
+        /// Longest side of the texture.
+        TextureSize = "texture-size",
+        /// Response to light.
+        Material = "material",
+        /// Edits as morph targets.
+        Edits = "edits",
+        /// Expressions as morph targets.
+        Expressions = "expressions",
+        /// Whether eyes and mouth are separate pieces.
+        Eyes = "eyes",
+        /// Unit of the positions.
+        Units = "units",
+        /// Printable body made from the face.
+        Solid = "solid",
+    }
 }
 
 rosto_mesh::named! {
@@ -121,21 +129,15 @@ impl ExportedFile {
     }
 }
 
-struct Definition {
-    media_type: &'static str,
-    choosable: &'static [ExportOption],
-    write: fn(&Content<'_>) -> Result<ExportedFile, ExportError>,
-}
-
 impl Format {
     /// Media type of the format.
     pub fn media_type(self) -> &'static str {
-        self.definition().media_type
+        self.definition().0
     }
 
     /// Whether the format supports an option.
     pub fn supports(self, what: ExportOption) -> bool {
-        self.definition().choosable.contains(&what)
+        self.definition().1.contains(&what)
     }
 
     /// Names of the sidecar files of a main file called `name` (without extension).
@@ -166,22 +168,35 @@ impl Format {
     /// [`ExportError`] if a length does not match, a position is not finite, the mesh is empty, or the requested
     /// picture or body is not available. For glTF, see also [`glb`].
     pub fn write(self, content: &Content<'_>) -> Result<ExportedFile, ExportError> {
-        (self.definition().write)(content)
+        let Content { model, gltf, name, .. } = content;
+        let (base_colour, max_texture_px) = (gltf.base_colour, gltf.max_texture_px);
+        match self {
+            Self::Glb => Ok(glb(&content.moved_by_morphs(), gltf)?.into()),
+            Self::Gltf => Ok(crate::gltf(&content.moved_by_morphs(), gltf)?.into()),
+            Self::Obj => obj::painted(model, base_colour, max_texture_px, name),
+            Self::Ply => Ok(ply(model)?.into()),
+            Self::Stl => content.stl(),
+            Self::ThreeMf => content.three_mf(),
+            Self::Usdz => Ok(usdz(model, base_colour, max_texture_px)?.into()),
+            Self::Png => content.png(),
+            Self::Json => Ok(content.json().into()),
+        }
     }
 
-    #[rustfmt::skip]
-    fn definition(self) -> Definition {
-        use ExportOption::{BaseColour, Eyes, Material, Solid, Units};
+    /// Media type and supported options. Separate from the writers, which the page's module does not link.
+    fn definition(self) -> (&'static str, &'static [ExportOption]) {
+        use ExportOption::{BaseColour, Edits, Expressions, Eyes, Material, Solid, TextureSize, Units};
+        const GLTF: &[ExportOption] = &[BaseColour, TextureSize, Material, Edits, Expressions, Eyes];
         match self {
-            Self::Glb => Definition { media_type: "model/gltf-binary", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(glb(&c.moved_by_morphs(), &c.gltf)?.into()) },
-            Self::Gltf => Definition { media_type: "model/gltf+json", choosable: &[BaseColour, Material, Eyes], write: |c| Ok(gltf(&c.moved_by_morphs(), &c.gltf)?.into()) },
-            Self::Obj => Definition { media_type: "model/obj", choosable: &[BaseColour, Eyes], write: |c| obj::painted(&c.model, c.gltf.base_colour, c.gltf.max_texture_px, c.name) },
-            Self::Ply => Definition { media_type: "application/octet-stream", choosable: &[Eyes], write: |c| Ok(ply(&c.model)?.into()) },
-            Self::Stl => Definition { media_type: "model/stl", choosable: &[Solid], write: |c| c.stl() },
-            Self::ThreeMf => Definition { media_type: "model/3mf", choosable: &[Solid], write: |c| c.three_mf() },
-            Self::Usdz => Definition { media_type: "model/vnd.usdz+zip", choosable: &[BaseColour, Eyes], write: |c| Ok(usdz(&c.model, c.gltf.base_colour, c.gltf.max_texture_px)?.into()) },
-            Self::Png => Definition { media_type: "image/png", choosable: &[BaseColour], write: |c| c.png() },
-            Self::Json => Definition { media_type: "application/json", choosable: &[Units], write: |c| Ok(c.json().into()) },
+            Self::Glb => ("model/gltf-binary", GLTF),
+            Self::Gltf => ("model/gltf+json", GLTF),
+            Self::Obj => ("model/obj", &[BaseColour, TextureSize, Eyes]),
+            Self::Ply => ("application/octet-stream", &[Eyes]),
+            Self::Stl => ("model/stl", &[Solid]),
+            Self::ThreeMf => ("model/3mf", &[Solid]),
+            Self::Usdz => ("model/vnd.usdz+zip", &[BaseColour, TextureSize, Eyes]),
+            Self::Png => ("image/png", &[BaseColour, TextureSize]),
+            Self::Json => ("application/json", &[Units]),
         }
     }
 }

@@ -2,18 +2,18 @@ use glam::Vec2;
 use rosto_face::LANDMARK_COUNT;
 use serde_json::{Map, Value, json};
 
+use crate::placed::placement;
+use crate::saved::{self, Pictures, Source};
 use crate::texture::{self, BaseColour, Crop, Texture};
 use crate::{ExportError, Model};
 
 mod attributes;
 mod container;
-mod further;
-mod source;
 
 use container::Builder;
-pub(crate) use further::{Pictures, further};
-pub use source::Source;
-pub(crate) use source::{VERSION, fingerprint, history_object};
+
+/// Version of the extras that is written and read.
+pub(crate) const VERSION: u64 = 1;
 
 rosto_mesh::named! {
     /// Longest side of a texture, at most.
@@ -117,23 +117,11 @@ pub fn gltf(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<String, Expor
 
 fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<String, Value>), ExportError> {
     model.check()?;
-    let mut extras = options.source.as_ref().map(source::extras).transpose()?;
     let mut builder = Builder::default();
     let mut attributes = attributes::geometry(&mut builder, model);
     let mut root = Map::new();
     let painted = paint(&mut builder, model, options, &mut attributes, &mut root)?;
-    if let Some(extras) = &mut extras {
-        let positions = model.positions_m.iter().flat_map(|p| p.as_vec3().to_array());
-        extras["positions_fnv1a"] = fingerprint(positions.flat_map(f32::to_le_bytes)).into();
-        if let Some(picture) = source::picture(&model.photo, &painted, options.max_texture_px)? {
-            extras["picture"] = picture;
-        }
-        let holds_photos = !matches!(painted, Painted::Colours);
-        let pictures = if holds_photos { Pictures::UpTo(options.max_texture_px) } else { Pictures::Left };
-        if let Some(further) = options.source.map(|source| further(source.face, pictures)).transpose()?.flatten() {
-            extras["further"] = further;
-        }
-    }
+    let extras = options.source.as_ref().map(|source| extras(source, model, &painted, options)).transpose()?;
     attributes.insert("_LANDMARK_ID".into(), builder.scalars(&landmark_ids(model)).into());
     let indices = builder.indices(model.topology);
     let mut mesh = json!({
@@ -151,6 +139,37 @@ fn build(model: &Model<'_>, options: &GlbOptions<'_>) -> Result<(Builder, Map<St
     root.insert("nodes".into(), json!([{"name": options.name, "mesh": 0}]));
     root.insert("meshes".into(), json!([mesh]));
     Ok((builder, root))
+}
+
+/// The scene's extras: the [`Source`] with `"rosto": "face"`, the version, and `positions_fnv1a`, the hash of the
+/// `POSITION` bytes, by which changes by other programs are detected.
+fn extras(
+    source: &Source<'_>,
+    model: &Model<'_>,
+    painted: &Painted,
+    options: &GlbOptions<'_>,
+) -> Result<Value, ExportError> {
+    let lead = match (painted, &model.photo) {
+        (Painted::Photo(crop), _) => Some(placement(crop)),
+        (Painted::Whole, Some(photo)) => Some(saved::part_of(photo, options.max_texture_px)?),
+        _ => None,
+    };
+    let holds_photos = !matches!(painted, Painted::Colours);
+    let others = if holds_photos { Pictures::UpTo(options.max_texture_px) } else { Pictures::Left };
+    let mut extras = saved::fields(source, lead, others)?;
+    let positions = model.positions_m.iter().flat_map(|p| p.as_vec3().to_array());
+    extras["positions_fnv1a"] = fingerprint(positions.flat_map(f32::to_le_bytes)).into();
+    extras["rosto"] = "face".into();
+    extras["version"] = VERSION.into();
+    Ok(extras)
+}
+
+/// 64-bit FNV-1a hash, as sixteen hexadecimal digits.
+pub(crate) fn fingerprint(bytes: impl IntoIterator<Item = u8>) -> String {
+    const BASIS: u64 = 0xCBF2_9CE4_8422_2325;
+    const PRIME: u64 = 0x0000_0100_0000_01B3;
+    let hash = bytes.into_iter().fold(BASIS, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME));
+    format!("{hash:016x}")
 }
 
 fn landmark_ids(model: &Model<'_>) -> Vec<f32> {
@@ -178,7 +197,8 @@ fn paint(
 ) -> Result<Painted, ExportError> {
     let (painted, texture) = match options.base_colour {
         BaseColour::Photo => {
-            let (texture, crop) = texture::crop(&model.photo, options.max_texture_px)?;
+            let photo = model.photo.as_ref().ok_or(ExportError::NoPicture)?;
+            let (texture, crop) = texture::crop(photo, options.max_texture_px)?;
             (Painted::Photo(crop), Some(texture))
         }
         BaseColour::Whole => (Painted::Whole, texture::of(model, options.base_colour, options.max_texture_px)?),

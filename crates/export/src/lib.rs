@@ -10,9 +10,11 @@ mod error;
 mod format;
 mod glb;
 mod model;
+mod placed;
 mod printable;
 pub mod project;
 mod reopen;
+mod saved;
 mod sniff;
 mod texture;
 mod zip;
@@ -23,11 +25,12 @@ pub use error::ExportError;
 pub use format::{
     Content, ExportOption, ExportedFile, Eyes, Format, JsonMesh, Units, mesh_json, obj, ply, stl, three_mf, usdz,
 };
-pub use glb::{GlbOptions, Material, Morph, Source, TextureSize, glb, gltf};
+pub use glb::{GlbOptions, Material, Morph, TextureSize, glb, gltf};
 pub use model::{Model, Picture};
 pub use printable::{ParseSolidError, SOLID_MM, Solid, SolidFacts};
-pub use reopen::{Further, FurtherPhoto, Painted, PlacedTexture, ReopenError, Reopened, reopen};
+pub use reopen::{ReopenError, Reopened, reopen};
 pub use rosto_solid::{PLA_G_PER_CM3, SolidError};
+pub use saved::{SavedEdits, SavedFace, Source};
 pub use sniff::{FileKind, SNIFFED_BYTES, sniff};
 pub use texture::BaseColour;
 pub use zip::NamedFile;

@@ -17,8 +17,8 @@ pub struct Model<'a> {
     pub smoothed_m: Option<&'a [DVec3]>,
     /// sRGB colour of each vertex.
     pub colours_srgb: &'a [[u8; 3]],
-    /// The upright photo.
-    pub photo: Picture<'a>,
+    /// The upright photo, if its pixels are known.
+    pub photo: Option<Picture<'a>>,
     /// The whole-face texture, if any, which also covers parts that the photo does not show. Its sides are powers of
     /// two, as some GPUs require.
     pub whole: Option<Picture<'a>>,
@@ -41,7 +41,7 @@ impl<'a> Model<'a> {
             positions_m: face.positions_m(),
             smoothed_m: None,
             colours_srgb: face.colours_srgb(),
-            photo: Picture { pixels: face.picture(), uvs: face.uvs() },
+            photo: face.picture().map(|pixels| Picture { pixels, uvs: face.uvs() }),
             whole: None,
         }
     }
@@ -57,7 +57,7 @@ impl<'a> Model<'a> {
             ("positions", self.positions_m.len()),
             ("smoothed positions", self.smoothed_m.map_or(expected, <[DVec3]>::len)),
             ("colours", self.colours_srgb.len()),
-            ("UVs", self.photo.uvs.len()),
+            ("UVs", self.photo.map_or(expected, |photo| photo.uvs.len())),
             ("UVs of the whole texture", self.whole.map_or(expected, |whole| whole.uvs.len())),
         ];
         if let Some((what, found)) = lengths.into_iter().find(|(_, found)| *found != expected) {

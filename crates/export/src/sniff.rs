@@ -14,8 +14,7 @@ pub const SNIFFED_BYTES: usize = 4096;
 
 /// Detects the kind of a file from its first [`SNIFFED_BYTES`] bytes.
 ///
-/// A project is a JSON object that names its format or has an `edits` field. Keys may come in any order, and long edits
-/// may push the format name beyond the examined bytes.
+/// A project is a JSON object that names its format first.
 pub fn sniff(start_of_file: &[u8]) -> FileKind {
     let start = &start_of_file[..start_of_file.len().min(SNIFFED_BYTES)];
     if start.starts_with(b"glTF") {
@@ -23,7 +22,7 @@ pub fn sniff(start_of_file: &[u8]) -> FileKind {
     }
     let text = without_bom(start).trim_ascii_start();
     let holds = |word: &str| text.windows(word.len()).any(|window| window == word.as_bytes());
-    if text.starts_with(b"{") && (holds("\"rosto-project\"") || holds("\"edits\"")) {
+    if text.starts_with(b"{") && holds("\"rosto-project\"") {
         return FileKind::Project;
     }
     FileKind::Other

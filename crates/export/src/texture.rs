@@ -6,7 +6,7 @@ use glam::DVec2;
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
-use rosto_face::Photo;
+use rosto_face::{MAX_PICTURE_SIDE_PX, Photo};
 
 use crate::{ExportError, Model, Picture};
 
@@ -50,10 +50,10 @@ pub(crate) struct Crop {
     pub size_px: [u32; 2],
 }
 
-/// Crops the face from the photo, with power-of-two sides of at most `max_px` (rounded down to a power of two). The
-/// photo is scaled down only if the face does not fit.
+/// Crops the face from the photo, with power-of-two sides of at most `max_px` (rounded down to a power of two) and
+/// [`MAX_PICTURE_SIDE_PX`]. The photo is scaled down only if the face does not fit.
 pub(crate) fn crop<'a>(photo: &Picture<'a>, max_px: u32) -> Result<(Texture<'a>, Crop), ExportError> {
-    let max_px = 1 << max_px.max(SMALLEST_MAX_PX).ilog2();
+    let max_px = 1 << max_px.clamp(SMALLEST_MAX_PX, MAX_PICTURE_SIDE_PX).ilog2();
     let pixels = fitting(photo, max_px);
     let size = DVec2::new(pixels.width().into(), pixels.height().into());
     let (low, high) = face_box(photo.uvs);
@@ -89,7 +89,7 @@ pub(crate) fn of<'a>(
 ) -> Result<Option<Texture<'a>>, ExportError> {
     Ok(match base_colour {
         BaseColour::Whole => Some(whole(&model.whole.ok_or(ExportError::NoWholePicture)?, max_px)),
-        BaseColour::Photo => Some(crop(&model.photo, max_px)?.0),
+        BaseColour::Photo => Some(crop(model.photo.as_ref().ok_or(ExportError::NoPicture)?, max_px)?.0),
         BaseColour::VertexColours => None,
     })
 }
@@ -100,9 +100,12 @@ pub(crate) fn of<'a>(
 /// use a compressor that other crates' features select.
 pub(crate) fn png(pixels: &Photo) -> Result<Vec<u8>, ExportError> {
     let (width, height, mut file) = (pixels.width(), pixels.height(), Vec::new());
-    PngEncoder::new_with_quality(&mut file, CompressionType::Fast, FilterType::Adaptive)
-        .write_image(pixels.pixels(), width, height, ExtendedColorType::Rgb8)
-        .map_err(|_| ExportError::Texture { width, height })?;
+    let encoder = PngEncoder::new_with_quality(&mut file, CompressionType::Fast, FilterType::Adaptive);
+    let written = match pixels.alpha() {
+        Some(_) => encoder.write_image(&pixels.rgba(), width, height, ExtendedColorType::Rgba8),
+        None => encoder.write_image(pixels.pixels(), width, height, ExtendedColorType::Rgb8),
+    };
+    written.map_err(|_| ExportError::Texture { width, height })?;
     Ok(file)
 }
 

@@ -155,9 +155,10 @@ fn morph_targets_source_and_unlit_material_are_exported() {
 fn invalid_models_are_refused() {
     let face = face(Triangulation::Canonical);
     let model = Model::of_face(&face);
-    let few = Picture { uvs: &model.photo.uvs[..7], ..model.photo };
+    let photo = model.photo.unwrap();
+    let few = Picture { uvs: &photo.uvs[..7], ..photo };
     let expected = |what| ExportError::LengthMismatch { what, expected: 468, found: 7 };
-    let short = Model { photo: few, ..model };
+    let short = Model { photo: Some(few), ..model };
     assert_eq!(glb(&short, &by_photo()), Err(expected("UVs")));
     let short = Model { whole: Some(few), ..model };
     assert_eq!(glb(&short, &by_photo()), Err(expected("UVs of the whole texture")));
@@ -168,6 +169,7 @@ fn invalid_models_are_refused() {
     far[7].y = 1e300;
     assert_eq!(glb(&model.at(&far), &by_photo()), Err(ExportError::NotFinite { vertex: 7 }));
     assert_eq!(glb(&model, &GlbOptions::default()), Err(ExportError::NoWholePicture));
+    assert_eq!(glb(&Model { photo: None, ..model }, &by_photo()), Err(ExportError::NoPicture));
     let list = GlbOptions { source: Some(source(&face, Some("[1]"))), ..by_photo() };
     assert_eq!(glb(&model, &list), Err(ExportError::HistoryNotAnObject));
 }

@@ -4,10 +4,10 @@
 
 mod common;
 
-use common::{SIDE, gradient, model, png, source};
+use common::{SIDE, gradient, model, rebuilt, source};
 use glam::{DQuat, DVec3};
 use rosto_export::*;
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m};
+use rosto_face::{FaceModel, LANDMARK_COUNT, Observation, Photo, PhotoLens, Triangulation, canonical_positions_m};
 
 const EDITS: &str = r#"{"entries":[],"version":1}"#;
 
@@ -18,45 +18,22 @@ fn turned(by_deg: f64) -> Vec<[f32; 3]> {
     canonical_positions_m().into_iter().map(|p| landmark(turn * p)).collect()
 }
 
-/// A face from photos with the given head rotations, each with different colours and lens data.
+/// A face from photos with the given head rotations, each with different colours and lenses.
 fn several(turns: &[f64]) -> FaceModel {
-    let landmarks: Vec<_> = turns.iter().map(|&by_deg| turned(by_deg)).collect();
-    let colours: Vec<_> = (0..turns.len()).map(|photo| vec![[photo as u8, 100, 200]; LANDMARK_COUNT]).collect();
-    let inputs = landmarks.iter().zip(&colours).zip(1..).map(|((landmarks, colours), number)| FaceInput {
-        landmarks,
-        width: SIDE,
-        height: SIDE,
-        colours,
-        picture: gradient(),
-        lens: PhotoLens::Distance(f64::from(number)),
+    let photos = turns.iter().zip(1u8..).map(|(&by_deg, number)| Observation {
+        colours_srgb: vec![[number - 1, 100, 200]; LANDMARK_COUNT],
+        found_lens: PhotoLens::Exif(25.0 + f64::from(number)),
+        lens: PhotoLens::Distance(number.into()),
+        ..Observation::in_photo(&gradient(), turned(by_deg))
     });
-    FaceModel::from_photos(inputs.collect(), Triangulation::Canonical).unwrap()
-}
-
-/// Rebuilds the face from a reopened file, as the page and the command line do.
-fn opened(file: &Reopened<'_>) -> FaceModel {
-    let input = |landmarks, [width, height]: [u32; 2], colours, lens| FaceInput {
-        landmarks,
-        width,
-        height,
-        colours,
-        picture: gradient(),
-        lens,
-    };
-    let further = file.further.as_ref().unwrap();
-    let others = further.photos.iter();
-    let others = others.map(|photo| input(&photo.landmarks, photo.photo_size_px, &photo.colours_srgb, photo.lens));
-    let mut inputs: Vec<_> = others.collect();
-    let lead = input(&file.landmarks, file.photo_size_px, &file.colours_srgb, file.lens);
-    inputs.insert(further.leads, lead);
-    FaceModel::from_photos(inputs, file.triangulation).unwrap()
+    FaceModel::from_photos(photos.collect(), Triangulation::Canonical).unwrap()
 }
 
 fn assert_same(one: &FaceModel, other: &FaceModel) {
     assert_eq!(one.positions_m(), other.positions_m(), "bit for bit");
     for (one, other) in one.views().iter().zip(other.views()) {
-        assert_eq!((one.photo, one.camera, one.lens), (other.photo, other.camera, other.lens));
-        assert_eq!((&one.uvs, &one.colours_srgb), (&other.uvs, &other.colours_srgb));
+        assert_eq!((one.photo, one.camera, &one.uvs), (other.photo, other.camera, &other.uvs));
+        assert_eq!(one.observation.to_bytes(), other.observation.to_bytes());
     }
 }
 
@@ -66,51 +43,69 @@ fn glb_of(face: &FaceModel, base_colour: BaseColour) -> Vec<u8> {
 }
 
 fn project_of(face: &FaceModel) -> Vec<u8> {
-    project::write(&source(face, Some(EDITS)), &png()).unwrap()
+    project::write(&source(face, Some(EDITS))).unwrap()
 }
 
 #[test]
 fn a_face_from_several_photos_round_trips() {
     let saved = several(&[0.0, 30.0]);
     for base_colour in BaseColour::ALL {
-        assert_same(&opened(&reopen(&glb_of(&saved, base_colour)).unwrap()), &saved);
+        assert_same(&rebuilt(reopen(&glb_of(&saved, base_colour)).unwrap().face), &saved);
     }
     // The lead photo is not the first.
     let saved = several(&[30.0, -30.0, 2.0]);
     assert_eq!(saved.views()[0].photo, 2);
-    assert_same(&opened(&reopen(&glb_of(&saved, BaseColour::Whole)).unwrap()), &saved);
-    assert_same(&opened(&project::read(&project_of(&saved)).unwrap()), &saved);
+    assert_same(&rebuilt(reopen(&glb_of(&saved, BaseColour::Whole)).unwrap().face), &saved);
+    assert_same(&rebuilt(project::read(&project_of(&saved)).unwrap().face), &saved);
 }
 
 #[test]
 fn photos_are_included_unless_the_file_has_vertex_colours() {
     let saved = several(&[0.0, 30.0, -30.0]);
-    let photos = |file: &Reopened<'_>| file.further.clone().unwrap().photos;
-    for file in [glb_of(&saved, BaseColour::Whole), glb_of(&saved, BaseColour::Photo)] {
-        for photo in photos(&reopen(&file).unwrap()) {
-            assert_placed(photo.texture.unwrap());
-        }
+    let glbs = [BaseColour::Whole, BaseColour::Photo].map(|base_colour| reopen(&glb_of(&saved, base_colour)));
+    for opened in glbs.into_iter().chain([project::read(&project_of(&saved))]) {
+        opened.unwrap().face.photos.into_iter().for_each(|photo| assert_placed(&photo.picture.unwrap()));
     }
-    for photo in photos(&project::read(&project_of(&saved)).unwrap()) {
-        assert_placed(photo.texture.unwrap());
-    }
-    for photo in photos(&reopen(&glb_of(&saved, BaseColour::VertexColours)).unwrap()) {
-        assert_eq!(photo.texture, None);
-        let painted = photo.painted();
-        assert!(painted.rgba.as_chunks::<4>().0.contains(&[photo.colours_srgb[0][0], 100, 200, 255]));
+    for photo in reopen(&glb_of(&saved, BaseColour::VertexColours)).unwrap().face.photos {
+        let painted = photo.picture.unwrap().rgba();
+        assert!(painted.as_chunks::<4>().0.contains(&[photo.colours_srgb[0][0], 100, 200, 255]));
     }
 }
 
-fn assert_placed(texture: PlacedTexture<'_>) {
-    let crop = rosto_photo::decode(&texture.encoded, &rosto_photo::Limits::default()).unwrap();
-    let [left, top] = texture.at_px.map(|at| u32::try_from(at).unwrap());
-    let (x, y) = (crop.width() / 2, crop.height() / 3);
-    let [found, cut]: [[u8; 3]; 2] = [crop.pixel(x, y), Photo::pixel(&gradient(), left + x, top + y)];
-    assert!(found.iter().zip(cut).all(|(a, b)| a.abs_diff(b) <= 6), "{found:?} for {cut:?}");
+/// Asserts that the middle of the picture shows the gradient in its place.
+fn assert_placed(picture: &Photo) {
+    assert_eq!([picture.width(), picture.height()], [SIDE; 2]);
+    for at in [[SIDE / 2, SIDE / 2], [SIDE / 2 + 20, SIDE / 2 - 30]] {
+        let [found, cut] = [picture, &gradient()].map(|picture| picture.pixel(at[0], at[1]));
+        assert!(found.iter().zip(cut).all(|(a, b)| a.abs_diff(b) <= 6), "{found:?} for {cut:?}");
+    }
 }
 
 #[test]
-fn invalid_fields_of_further_photos_are_named() {
+fn the_found_and_the_chosen_lens_are_kept_apart() {
+    let saved = several(&[0.0, 30.0]);
+    for file in [glb_of(&saved, BaseColour::Whole), glb_of(&saved, BaseColour::VertexColours)] {
+        let lenses: Vec<_> =
+            reopen(&file).unwrap().face.photos.iter().map(|photo| (photo.found_lens, photo.lens)).collect();
+        let expected = [1.0, 2.0].map(|number| (PhotoLens::Exif(25.0 + number), PhotoLens::Distance(number)));
+        assert_eq!(lenses, expected);
+    }
+}
+
+#[test]
+fn texts_give_the_same_face_without_pictures() {
+    let saved = reopen(&glb_of(&several(&[0.0, 30.0]), BaseColour::Whole)).unwrap().face;
+    let (photos, edits) = (saved.photos_json(), saved.edits.as_ref().unwrap().to_json().unwrap());
+    let read = SavedFace::from_json(&photos, Some(&edits)).unwrap();
+    assert_eq!((read.photos_json(), read.edits), (photos.clone(), saved.edits));
+    assert!(read.photos.iter().all(|photo| photo.picture.is_none()));
+    assert_eq!(SavedFace::from_json(&photos, None).unwrap().edits, None);
+    assert_eq!(SavedFace::from_json("[]", None), Err(ReopenError::Field { field: "photos" }));
+    assert_eq!(SavedFace::from_json("[", None), Err(ReopenError::NotJson));
+}
+
+#[test]
+fn invalid_fields_of_photos_are_named() {
     let file = project_of(&several(&[0.0, 30.0]));
     let refused = |from: &str, to: &str, field: &'static str| {
         let line = file.iter().position(|byte| *byte == b'\n').unwrap();
@@ -120,9 +115,8 @@ fn invalid_fields_of_further_photos_are_named() {
         let changed = [changed.as_bytes(), &file[line..]].concat();
         assert_eq!(project::read(&changed).unwrap_err(), ReopenError::Field { field });
     };
-    refused("\"leads\":0", "\"leads\":2", "further");
-    refused("\"photos\":[{", "\"photos\":[],\"none\":[{", "further");
-    refused("\"lens\":\"distance:2\",\"photo_px\"", "\"lens\":\"none\",\"photo_px\"", "lens");
-    refused("\"photo_px\":[300,300]", "\"photo_px\":[300,0]", "photo_px");
+    refused("\"photos\":[", "\"photos\":[],\"none\":[", "photos");
+    refused("\"photos\":[", "\"photos\":[{},{},{},{},{},", "photos");
+    refused("\"observation\":\"", "\"observation\":\"*", "observation");
     refused("\"jpeg\":", "\"gif\":", "picture");
 }

@@ -20,6 +20,23 @@ pub enum FaceError {
         /// Index of the landmark.
         landmark: usize,
     },
+    /// A landmark is far outside the picture, or the face is smaller than a pixel.
+    #[error("the landmarks do not form a face: they are far outside the picture, or within less than a pixel")]
+    Implausible,
+    /// The bytes of an observation have another version.
+    #[error("the stored face has version {found}, but this Rosto reads only version {known}")]
+    RecordVersion {
+        /// Version of the bytes.
+        found: u8,
+        /// Supported version.
+        known: u8,
+    },
+    /// The bytes of an observation are incomplete or damaged.
+    #[error("the stored face is damaged ({bytes} bytes)")]
+    Record {
+        /// Number of bytes passed.
+        bytes: usize,
+    },
     /// The picture in which the landmarks were found has no area.
     #[error("the picture is {width}×{height} px, so it has no area")]
     EmptyPicture {

@@ -12,6 +12,7 @@ mod irises;
 mod measures;
 mod model;
 mod names;
+mod observation;
 mod openings;
 mod photo_lens;
 mod procrustes;
@@ -30,10 +31,9 @@ pub use contours::OVAL;
 pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
 pub use measures::Measure;
-pub use model::{
-    FaceInput, FaceModel, LeftOut, MAX_PHOTOS, PoseFit, Reprojection, View, check_landmarks, depth_bias_m,
-};
+pub use model::{FaceModel, LeftOut, MAX_PHOTOS, PoseFit, Reprojection, View, check_landmarks, depth_bias_m};
 pub use names::{landmark_id, part_id};
+pub use observation::{MAX_PICTURE_SIDE_PX, Observation};
 pub use openings::{Opening, Piece, SplitFace, without_fillings};
 pub use photo_lens::{DISTANCES_M, PhotoLens};
 pub use regions::Region;

@@ -11,31 +11,13 @@ use rosto_photo::Photo;
 use crate::camera::Camera;
 use crate::irises::eye_centres;
 use crate::size::Scale;
-use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
+use crate::{FaceError, LANDMARK_COUNT, Observation, PhotoLens, Triangulation};
 use fitting::Fitted;
 pub use joint_fit::{LeftOut, Reprojection, depth_bias_m};
 use observed::check_count;
 pub use observed::check_landmarks;
 pub use pose_fit::PoseFit;
 pub use views::{MAX_PHOTOS, View};
-
-/// Input of [`FaceModel::new`].
-#[derive(Debug)]
-pub struct FaceInput<'a> {
-    /// 468 landmarks, or 478 with the irises, in MediaPipe's normalised coordinates: x/W, y/H, z/W; x to the right, y
-    /// down, z away from the camera.
-    pub landmarks: &'a [[f32; 3]],
-    /// Width in px of the upright picture in which the landmarks were found.
-    pub width: u32,
-    /// Height in px of that picture.
-    pub height: u32,
-    /// 468 sRGB colours: the pixel at each landmark at full resolution, as in the paper.
-    pub colours: &'a [[u8; 3]],
-    /// The upright picture for the texture, possibly a scaled-down copy.
-    pub picture: Photo,
-    /// Lens data.
-    pub lens: PhotoLens,
-}
 
 /// A metric, coloured and textured triangle mesh of a face from one or more photos.
 ///
@@ -67,20 +49,25 @@ impl FaceModel {
     /// # Errors
     /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, a number is not finite, the picture has no
     /// area, the lens is invalid, or the weighted landmarks are collinear.
-    pub fn new(input: FaceInput<'_>, triangulation: Triangulation) -> Result<Self, FaceError> {
-        let fitted = Fitted::new(input.landmarks, [input.width, input.height], input.lens)?;
-        check_count("colours", LANDMARK_COUNT, input.colours.len())?;
-        let view = View::new(input, (0, fitted.camera, Reprojection::default()));
+    pub fn new(observation: Observation, triangulation: Triangulation) -> Result<Self, FaceError> {
+        let fitted = Fitted::new(&observation.landmarks, observation.photo_size_px, observation.lens)?;
+        check_count("colours", LANDMARK_COUNT, observation.colours_srgb.len())?;
+        let view = View::new(observation, (0, fitted.camera, Reprojection::default()));
         Ok(Self::from_fitted(triangulation, fitted, vec![view]))
     }
 
     fn from_fitted(triangulation: Triangulation, fitted: Fitted, views: Vec<View>) -> Self {
         let Fitted { mut positions_m, scale, image_from_model, .. } = fitted;
         let irises_m = positions_m.split_off(LANDMARK_COUNT);
-        let landmarks = views[0].landmarks[..LANDMARK_COUNT].iter();
+        let landmarks = views[0].observation.landmarks[..LANDMARK_COUNT].iter();
         let positions_image = landmarks.map(|p| DVec3::from(p.map(f64::from))).collect();
         let topology = triangulation.topology();
         Self { triangulation, topology, positions_m, irises_m, positions_image, image_from_model, scale, views }
+    }
+
+    /// Changes the triangulation of the landmarks.
+    pub fn set_triangulation(&mut self, triangulation: Triangulation) {
+        (self.triangulation, self.topology) = (triangulation, triangulation.topology());
     }
 
     /// Triangulation of the landmarks.
@@ -95,7 +82,7 @@ impl FaceModel {
 
     /// Width and height in px of the upright picture in which the landmarks were found.
     pub fn photo_size_px(&self) -> [u32; 2] {
-        self.views[0].photo_size_px
+        self.views[0].observation.photo_size_px
     }
 
     /// 468 positions in metres, in the model's frame.
@@ -121,7 +108,7 @@ impl FaceModel {
 
     /// The input landmarks, with the irises if detected, unchanged bit for bit.
     pub fn landmarks(&self) -> &[[f32; 3]] {
-        &self.views[0].landmarks
+        &self.views[0].observation.landmarks
     }
 
     /// Linear map from a displacement in the model, in metres, to one in the coordinates of [`Self::positions_image`],
@@ -142,9 +129,9 @@ impl FaceModel {
         self.camera().at_distance(distance_m, middle_m)
     }
 
-    /// Lens data of the photo, as passed.
+    /// Lens of the photo, as passed.
     pub fn lens(&self) -> PhotoLens {
-        self.views[0].lens
+        self.views[0].observation.lens
     }
 
     /// Source and accuracy of the face's size.
@@ -154,7 +141,7 @@ impl FaceModel {
 
     /// 468 sRGB colours: the photo's pixel at each landmark.
     pub fn colours_srgb(&self) -> &[[u8; 3]] {
-        &self.views[0].colours_srgb
+        &self.views[0].observation.colours_srgb
     }
 
     /// 468 texture coordinates in the upright picture, origin at the top left; outside 0..=1 for landmarks outside the
@@ -164,14 +151,15 @@ impl FaceModel {
     }
 
     /// sRGB colours of a subdivided mesh whose first vertices are the landmarks. Added vertices sample
-    /// [`Self::picture`] at `uvs`, possibly at a lower resolution than the photo's.
-    pub fn colours_under(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
-        let added = uvs.iter().skip(LANDMARK_COUNT).map(|uv| self.picture().colour_under(uv.x, uv.y));
-        self.colours_srgb().iter().copied().chain(added).collect()
+    /// [`Self::picture`] at `uvs`, possibly at a lower resolution than the photo's. `None` without a picture.
+    pub fn colours_under(&self, uvs: &[DVec2]) -> Option<Vec<[u8; 3]>> {
+        let picture = self.picture()?;
+        let added = uvs.iter().skip(LANDMARK_COUNT).map(|uv| picture.colour_under(uv.x, uv.y));
+        Some(self.colours_srgb().iter().copied().chain(added).collect())
     }
 
-    /// The upright picture.
-    pub fn picture(&self) -> &Photo {
-        &self.views[0].picture
+    /// The upright picture, if the model was built with its pixels.
+    pub fn picture(&self) -> Option<&Photo> {
+        self.views[0].observation.picture.as_ref()
     }
 }

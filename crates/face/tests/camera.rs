@@ -57,11 +57,15 @@ fn landmarks(head: &[DVec3], scene: Scene) -> Vec<[f32; 3]> {
 }
 
 fn model(landmarks: &[[f32; 3]], lens: PhotoLens) -> FaceModel {
-    let colours = vec![[1, 2, 3]; LANDMARK_COUNT];
-    let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
-    let [width, height] = SIZE_PX;
-    FaceModel::new(FaceInput { landmarks, width, height, colours: &colours, picture, lens }, Triangulation::Canonical)
-        .unwrap()
+    let observation = Observation {
+        landmarks: landmarks.to_vec(),
+        photo_size_px: SIZE_PX,
+        colours_srgb: vec![[1, 2, 3]; LANDMARK_COUNT],
+        found_lens: lens,
+        lens,
+        picture: None,
+    };
+    FaceModel::new(observation, Triangulation::Canonical).unwrap()
 }
 
 fn furthest_m(a: &[DVec3], b: &[DVec3]) -> f64 {

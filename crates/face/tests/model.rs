@@ -28,10 +28,15 @@ fn portrait() -> Portrait {
 }
 
 fn model(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<FaceModel, FaceError> {
-    let colours = vec![[1, 2, 3]; landmarks.len()];
-    let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
-    let input = FaceInput { landmarks, width, height, colours: &colours, picture, lens: PhotoLens::Parallel };
-    FaceModel::new(input, Triangulation::Canonical)
+    let observation = Observation {
+        landmarks: landmarks.to_vec(),
+        photo_size_px: [width, height],
+        colours_srgb: vec![[1, 2, 3]; landmarks.len()],
+        found_lens: PhotoLens::Estimated,
+        lens: PhotoLens::Parallel,
+        picture: Some(Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap()),
+    };
+    FaceModel::new(observation, Triangulation::Canonical)
 }
 
 /// Transforms the portrait's landmarks in px.

@@ -30,11 +30,15 @@ fn landmarks() -> Vec<[f32; 3]> {
 }
 
 fn model(lens: PhotoLens) -> FaceModel {
-    let colours = vec![[1, 2, 3]; LANDMARK_COUNT];
-    let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
-    let ([width, height], landmarks) = (SIZE_PX, &landmarks());
-    FaceModel::new(FaceInput { landmarks, width, height, colours: &colours, picture, lens }, Triangulation::Canonical)
-        .unwrap()
+    let observation = Observation {
+        landmarks: landmarks(),
+        photo_size_px: SIZE_PX,
+        colours_srgb: vec![[1, 2, 3]; LANDMARK_COUNT],
+        found_lens: lens,
+        lens,
+        picture: None,
+    };
+    FaceModel::new(observation, Triangulation::Canonical).unwrap()
 }
 
 /// Offsets from the face's centre in the camera's frame, within and around the face.

@@ -74,14 +74,19 @@ fn lens() -> PhotoLens {
     PhotoLens::Given(FOCAL_PX * 36_f64.hypot(24.0) / f64::from(SIZE_PX[0]).hypot(f64::from(SIZE_PX[1])))
 }
 
+fn observed(landmarks: &[[f32; 3]], lens: PhotoLens) -> Observation {
+    Observation {
+        landmarks: landmarks.to_vec(),
+        photo_size_px: SIZE_PX,
+        colours_srgb: vec![[1, 2, 3]; LANDMARK_COUNT],
+        found_lens: lens,
+        lens,
+        picture: None,
+    }
+}
+
 fn several(photos: &[Vec<[f32; 3]>], lens: PhotoLens) -> Result<FaceModel, FaceError> {
-    let colours = vec![[1, 2, 3]; LANDMARK_COUNT];
-    let [width, height] = SIZE_PX;
-    let input = |landmarks| {
-        let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
-        FaceInput { landmarks, width, height, colours: &colours, picture, lens }
-    };
-    FaceModel::from_photos(photos.iter().map(|photo| input(photo)).collect(), Triangulation::Canonical)
+    FaceModel::from_photos(photos.iter().map(|photo| observed(photo, lens)).collect(), Triangulation::Canonical)
 }
 
 /// Landmarks in several photos of a head; the least turned photo leads.
@@ -190,11 +195,7 @@ proptest! {
 fn a_single_photo_gives_the_same_model_as_new() {
     let photo = landmarks(&head(5.0), turned(8.0));
     let together = several(std::slice::from_ref(&photo), PhotoLens::Estimated).unwrap();
-    let colours = vec![[1, 2, 3]; LANDMARK_COUNT];
-    let picture = Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap();
-    let [width, height] = SIZE_PX;
-    let input = FaceInput { landmarks: &photo, width, height, colours: &colours, picture, lens: PhotoLens::Estimated };
-    let alone = FaceModel::new(input, Triangulation::Canonical).unwrap();
+    let alone = FaceModel::new(observed(&photo, PhotoLens::Estimated), Triangulation::Canonical).unwrap();
     assert_eq!((together.positions_m(), together.camera()), (alone.positions_m(), alone.camera()));
     assert_eq!(together.views().len(), 1);
     assert!(together.left_out().unwrap().is_empty());
@@ -228,7 +229,7 @@ fn changing_the_lens_of_several_photos_is_reversible() {
     let near = of(&head(3.0), &[turned(-30.0), turned(4.0), turned(35.0)]);
     let far = near.with_lens(PhotoLens::Distance(1.5)).unwrap();
     assert!((far.camera().distance_m - 1.5).abs() < 0.005, "{}", far.camera().distance_m);
-    assert_eq!(far.views()[1].lens, lens(), "the other photos keep their lenses");
+    assert_eq!(far.views()[1].observation.lens, lens(), "the other photos keep their lenses");
     let back = far.with_lens(near.lens()).unwrap();
     assert_eq!((back.positions_m(), back.views()[2].camera), (near.positions_m(), near.views()[2].camera));
 }
@@ -244,9 +245,7 @@ fn adding_and_removing_photos_equals_a_joint_fit() {
         assert_eq!(cameras(one), cameras(other));
     };
     let all = several(&shown, lens()).unwrap();
-    let [width, height] = SIZE_PX;
-    let (colours, picture) = (vec![[1, 2, 3]; LANDMARK_COUNT], Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap());
-    let last = FaceInput { landmarks: &shown[2], width, height, colours: &colours, picture, lens: lens() };
+    let last = observed(&shown[2], lens());
     same(&several(&shown[..2], lens()).unwrap().with_photo(last).unwrap(), &all);
     same(&all.without_photo(2).unwrap(), &several(&shown[..2], lens()).unwrap());
     same(&all.without_photo(1).unwrap(), &several(&[shown[0].clone(), shown[2].clone()], lens()).unwrap());

@@ -16,6 +16,7 @@ mod surface;
 mod topology;
 
 pub use error::MeshError;
+pub use named::Named;
 pub use normals::vertex_normals;
 pub use pick::{Hit, Ray, pick};
 pub use subdivision::{LoopSubdivision, Value};

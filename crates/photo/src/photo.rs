@@ -1,4 +1,5 @@
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::exif::Exif;
@@ -101,6 +102,15 @@ impl Photo {
     /// RGBA bytes, row by row, with the blend over white undone.
     pub fn rgba(&self) -> Vec<u8> {
         pixels::to_rgba(&self.pixels, self.alpha())
+    }
+
+    /// The part of [`Self::rgba`] for some rows.
+    ///
+    /// # Panics
+    /// If a row is outside the picture.
+    pub fn rgba_rows(&self, rows: Range<u32>) -> Vec<u8> {
+        let [start, end] = [rows.start, rows.end].map(|row| row as usize * self.width as usize);
+        pixels::to_rgba(&self.pixels[3 * start..3 * end], self.alpha().map(|alpha| &alpha[start..end]))
     }
 
     /// RGBX bytes (the fourth is 255), row by row, blended over white.

@@ -89,6 +89,8 @@ fn opacity_is_stored_separately_and_rotated_with_the_pixels() {
     let grey = read(&png(image::GrayAlphaImage::from_raw(2, 1, vec![7, 255, 200, 128]).unwrap()));
     // At an opacity of 50 %, a value keeps about seven of its eight bits.
     assert!(grey.rgba().iter().zip([7, 7, 7, 255, 200, 200, 200, 128]).all(|(a, b)| a.abs_diff(b) <= 1));
+    let tall = Photo::from_rgb(1, 3, (0..9).collect()).unwrap().with_alpha(vec![255, 9, 90]).unwrap();
+    assert_eq!([tall.rgba_rows(0..1), tall.rgba_rows(1..3)].concat(), tall.rgba());
     assert!(Photo::from_rgb(2, 1, vec![0; 6]).unwrap().with_alpha(vec![0; 3]).is_err());
 }
 

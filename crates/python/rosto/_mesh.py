@@ -3,7 +3,7 @@
 import os
 import reprlib
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -15,7 +15,7 @@ import numpy.typing as npt
 from ._edits import Edit
 from ._images import Image, contents, decoded, finder, frozen, listed
 from ._landmarks import Search
-from ._numbers import Number, is_flag, flag, number, shortest, text
+from ._numbers import Number, Plain, plain
 from ._rosto import FaceMesh, RostoError
 
 Option = Union[str, Number, bool, np.bool_, Iterable[Union[str, Number]]]
@@ -23,18 +23,21 @@ Option = Union[str, Number, bool, np.bool_, Iterable[Union[str, Number]]]
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A face mesh from :func:`mesh`. Pickling stores its images and options; unpickling computes it again.
+    """A face mesh from :func:`mesh`. Pickling stores its images, edits and options; unpickling computes it again.
 
     ``images`` holds copies: bytes of files, or pixels.
     """
 
     images: tuple[Union[bytes, npt.NDArray[np.uint8]], ...]
-    words: tuple[str, ...]
+    edits: tuple[Edit, ...]
+    options: tuple[tuple[str, Plain], ...]
     search: Search
 
     @cached_property
     def _native(self) -> FaceMesh:
-        return FaceMesh([decoded(image) for image in self.images], finder(self.search.refined), list(self.words))
+        photos = [decoded(image) for image in self.images]
+        thorough = not self.search.mediapipe
+        return FaceMesh(photos, finder(self.search.refined), thorough, list(self.edits), list(self.options))
 
     @cached_property
     def positions_m(self) -> npt.NDArray[np.float64]:
@@ -65,12 +68,12 @@ class Mesh:
         Options are those of the command line, with ``_`` for ``-``: ``material="lit"``, ``eyes="pieces"``,
         ``texture_size=1024``.
         """
-        return self._native.write(f"face.{format}", _words(options))[0][1]
+        return self._native.write(f"face.{format}", _plain(options))[0][1]
 
     def save(self, path: Union[str, "os.PathLike[str]"], **options: Option) -> list[Path]:
         """Writes a file in the format of its extension, and its companion files; returns their paths."""
         path = Path(path)
-        files = self._native.write(path.name, _words(options))
+        files = self._native.write(path.name, _plain(options))
         paths = [path.with_name(name) for name, _ in files]
         # The file that refers to the others comes last.
         for place, (_, content) in sorted(zip(paths, files), key=lambda pair: pair[0] == path):
@@ -78,12 +81,13 @@ class Mesh:
         return paths
 
     def __repr__(self) -> str:
-        words = textwrap.shorten(" ".join(self.words), 80, placeholder=" …")
+        parts = [repr(edit) for edit in self.edits[:1]] + [f"{name}={value!r}" for name, value in self.options]
+        about = textwrap.shorten(", ".join(parts), 80, placeholder=" …")
         count = len(self.images)
-        return f"Mesh({count} image{'' if count == 1 else 's'}, {words!r})"
+        return f"Mesh({count} image{'' if count == 1 else 's'}, {len(self.edits)} edits: {about})"
 
     def __getstate__(self) -> dict[str, object]:
-        return {"images": self.images, "words": self.words, "search": self.search}
+        return {name: getattr(self, name) for name in ("images", "edits", "options", "search")}
 
 
 def mesh(
@@ -104,9 +108,7 @@ def mesh(
     images = tuple(contents(frozen(each)) for each in listed(image))
     if not images:
         raise RostoError("image: the list is empty")
-    words = [word for edit in _edits(edits) for word in edit.words()]
-    finding = [flag for flag in ("mediapipe", "refine") if getattr(search, flag)]
-    made = Mesh(images, (*(f"--{flag}" for flag in finding), *words, *_words(options)), search)
+    made = Mesh(images, tuple(sorted(_edits(edits), key=lambda edit: edit.rank)), tuple(_plain(options)), search)
     # Computes the mesh now, so that errors are raised here.
     made._native
     return made
@@ -118,24 +120,10 @@ def _edits(edits: Union[Edit, Iterable[Edit]]) -> list[Edit]:
         edits = [edits]
     listed = list(edits)
     for index, edit in enumerate(listed):
-        if not callable(getattr(edit, "words", None)):
+        if not isinstance(edit, Edit):
             raise TypeError(f"edits[{index}]: {reprlib.repr(edit)} is not an edit")
     return listed
 
 
-def _words(options: Mapping[str, Option]) -> list[str]:
-    words: list[str] = []
-    for name, value in options.items():
-        option = f"--{name.replace('_', '-')}"
-        if is_flag(value):
-            words += [option] if flag(name, value) else []
-        else:
-            words += [f"{option}={each}" for each in _values(name, value)]
-    return words
-
-
-def _values(name: str, value: Any) -> list[str]:
-    """Returns the values of an option, which may be repeated."""
-    is_list = isinstance(value, Iterable) and not isinstance(value, (str, bytes)) and getattr(value, "ndim", 1) != 0
-    each = list(value) if is_list else [value]
-    return [text(name, one) if isinstance(one, str) else shortest(number(name, one)) for one in each]
+def _plain(options: dict[str, Option]) -> list[tuple[str, Plain]]:
+    return [(name, plain(name, value)) for name, value in options.items()]

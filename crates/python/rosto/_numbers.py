@@ -17,6 +17,9 @@ Number = Union[float, "np.number[Any]", "npt.NDArray[Any]"]
 Vector = Union[Sequence[Number], "npt.NDArray[Any]"]
 """Three numbers."""
 
+Plain = Union[bool, int, float, str, list[Union[int, float, str]]]
+"""The value of an option."""
+
 
 def number(name: str, value: object) -> float:
     """Converts to a finite float. True and False are 1 and 0, as in Python."""
@@ -78,14 +81,21 @@ def text(name: str, value: object) -> str:
     return str.__str__(value)
 
 
-def is_flag(value: object) -> bool:
-    """Whether :func:`flag` accepts the value."""
-    return isinstance(_plain(value), bool)
+def plain(name: str, value: object) -> Plain:
+    """Converts the value of an option to plain Python values."""
+    if isinstance(value, str):
+        return text(name, value)
+    found = _plain(value)
+    if isinstance(found, (bool, int)):
+        return found
+    if isinstance(value, Iterable) and not isinstance(value, bytes) and getattr(value, "ndim", 1) != 0:
+        return [text(name, each) if isinstance(each, str) else _number(name, each) for each in value]
+    return _number(name, value)
 
 
-def shortest(value: float) -> str:
-    """Returns the shortest text that parses as the same number."""
-    return repr(value + 0.0).removesuffix(".0")
+def _number(name: str, value: object) -> Union[int, float]:
+    found = _plain(value)
+    return found if isinstance(found, int) else number(name, value)
 
 
 def coordinates(name: str, values: object) -> npt.NDArray[np.float64]:

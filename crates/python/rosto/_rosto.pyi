@@ -3,6 +3,9 @@
 import numpy as np
 import numpy.typing as npt
 
+from ._edits import Edit
+from ._numbers import Plain
+
 MAX_BYTES: int
 """Maximum length of a photo's file in bytes."""
 
@@ -31,12 +34,14 @@ class Finder:
 class FaceMesh:
     """A face mesh, as `rosto mesh` computes it."""
 
-    def __new__(cls, photos: list[Photo], finder: Finder, options: list[str]) -> FaceMesh: ...
+    def __new__(
+        cls, photos: list[Photo], finder: Finder, thorough: bool, edits: list[Edit], options: list[tuple[str, Plain]]
+    ) -> FaceMesh: ...
     def positions_m(self) -> npt.NDArray[np.float64]: ...
     def triangles(self) -> npt.NDArray[np.uint32]: ...
     def colours(self) -> npt.NDArray[np.uint8]: ...
     def uvs(self) -> npt.NDArray[np.float64]: ...
-    def write(self, name: str, options: list[str]) -> list[tuple[str, bytes]]: ...
+    def write(self, name: str, options: list[tuple[str, Plain]]) -> list[tuple[str, bytes]]: ...
 
 class System:
     """A mesh with a factorised Laplacian."""

@@ -16,6 +16,14 @@ pub fn refused(reason: impl Display) -> PyErr {
     RostoError::new_err(reason.to_string())
 }
 
+/// Converts an error of a request, with its hint.
+pub fn refused_request(reason: rosto::Error) -> PyErr {
+    match reason.hint() {
+        Some(hint) => refused(format!("{reason}. {hint}")),
+        None => refused(reason),
+    }
+}
+
 /// Runs the body of an entry point; `on` names its input. Turns a panic into a `RuntimeError`, which `except Exception`
 /// catches, unlike pyo3's `PanicException`.
 pub fn guarded<T>(on: &str, body: impl FnOnce() -> PyResult<T>) -> PyResult<T> {

@@ -33,8 +33,7 @@ impl Finder {
         max_faces: Option<usize>,
     ) -> PyResult<Vec<Found<'py>>> {
         guarded("photo", || {
-            let usual = if thorough { FindOptions::default() } else { FindOptions::mediapipe() };
-            let options = FindOptions { max_faces: max_faces.unwrap_or(usual.max_faces), ..usual };
+            let options = options_of(thorough, max_faces);
             let faces = py.detach(|| self.0.find(&photo.0, &options)).map_err(refused)?;
             let found = faces
                 .into_iter()
@@ -42,4 +41,10 @@ impl Finder {
             found.collect()
         })
     }
+}
+
+/// Options of a search for up to `max_faces` faces, or its default.
+pub fn options_of(thorough: bool, max_faces: Option<usize>) -> FindOptions {
+    let usual = if thorough { FindOptions::default() } else { FindOptions::mediapipe() };
+    FindOptions { max_faces: max_faces.unwrap_or(usual.max_faces), ..usual }
 }

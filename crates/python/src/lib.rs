@@ -4,9 +4,11 @@
 //! (`rosto/`) caches the networks and converts arguments.
 
 mod arrays;
+mod edits;
 mod error;
 mod face_mesh;
 mod finder;
+mod options;
 mod photo;
 mod system;
 

@@ -1,5 +1,9 @@
+use serde::Serialize;
+use tsify::Tsify;
+
 /// Extent of a change made by an intent. Each variant includes those before it: showing a document also shows a tick.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Tsify)]
+#[serde(rename_all = "kebab-case")]
 pub enum Changed {
     /// No change.
     #[default]

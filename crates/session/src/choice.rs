@@ -1,12 +1,13 @@
-//! Settings with named values. The panels, stored preferences and property tests read this table.
+//! Settings with named values. The intent `{ [id of the setting]: id of the value }` chooses a value.
 
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
 use rosto_stage::{Lens, Scene, ShadingMode};
-use rosto_studio::{ConstraintKind, Details, Operator};
+use rosto_studio::{Details, Operator};
 
-use crate::incoming::MAX_SHOWN_DENSITY;
-use crate::{AnchorChoice, Intent, Preset, SelectionMode, Session, TextureSource};
+use crate::message::value::CONSTRAINTS;
+use crate::saved::MAX_SHOWN_DENSITY;
+use crate::{AnchorChoice, OpenFace, Preset, SelectionMode, Session, TextureSource};
 
 rosto_mesh::named! {
     /// A setting with named values.
@@ -41,10 +42,6 @@ rosto_mesh::named! {
     }
 }
 
-/// The available constraints; the soft one has the paper's weight.
-const CONSTRAINTS: [(&str, ConstraintKind); 2] =
-    [("exact", ConstraintKind::Hard), ("soft", ConstraintKind::Soft { weight: 1.0 })];
-
 impl Choice {
     /// Ids of the values, in the order in which panels show them.
     pub fn values(self) -> Vec<String> {
@@ -65,31 +62,12 @@ impl Choice {
             Self::Density => (0..=MAX_SHOWN_DENSITY).map(|density| density.to_string()).collect(),
         }
     }
-
-    /// Intent that selects the value with this id; `None` for an unknown id.
-    pub fn intent(self, id: &str) -> Option<Intent> {
-        Some(match self {
-            Self::SelectionMode => Intent::Mode(SelectionMode::from_id(id)?),
-            Self::Preset => Intent::Preset(Preset::from_id(id)?),
-            Self::Operator => Intent::Operator(Operator::from_id(id)?),
-            Self::Constraint => Intent::Constraint(CONSTRAINTS.into_iter().find(|(one, _)| *one == id)?.1),
-            Self::Details => Intent::Details(Details::from_id(id)?),
-            Self::Anchors => Intent::Anchors(AnchorChoice::from_id(id)?),
-            Self::Scene => Intent::Scene(Scene::from_id(id)?),
-            Self::Shading => Intent::Shading(ShadingMode::from_id(id)?),
-            Self::TextureSource => Intent::TextureSource(TextureSource::from_id(id)?),
-            Self::TextureSize => Intent::TextureSize(TextureSize::from_id(id)?),
-            Self::Lens => Intent::Lens(Lens::from_id(id)?),
-            Self::Triangulation => Intent::Triangulation(Triangulation::from_id(id)?),
-            Self::Density => Intent::Density(id.parse().ok().filter(|density| *density <= MAX_SHOWN_DENSITY)?),
-        })
-    }
 }
 
 impl Session {
     /// Id of the current value; `None` if it is not an available one, such as when no preset matches.
     pub fn chosen(&self, choice: Choice) -> Option<String> {
-        let (options, view) = (self.edit_options(), self.view());
+        let (options, view, settings) = (self.edit_options(), self.view(), self.stage().render_settings());
         let id = match choice {
             Choice::SelectionMode => self.mode().id(),
             Choice::Preset => options.preset()?.id(),
@@ -98,12 +76,12 @@ impl Session {
             Choice::Details => options.details.id(),
             Choice::Anchors => options.anchors.id(),
             Choice::Scene => view.scene.id(),
-            Choice::Shading => view.shading.id(),
+            Choice::Shading => settings.shading.id(),
             Choice::TextureSource => view.texture_source.id(),
             Choice::TextureSize => view.texture_size.id(),
-            Choice::Lens => view.lens.id(),
-            Choice::Triangulation => view.triangulation.id(),
-            Choice::Density => return Some(view.density.to_string()),
+            Choice::Lens => self.stage().camera().lens().id(),
+            Choice::Triangulation => self.face().map_or(view.triangulation, OpenFace::triangulation).id(),
+            Choice::Density => return Some(self.density().to_string()),
         };
         Some(id.to_owned())
     }

@@ -4,27 +4,15 @@ use rosto_studio::{
 
 use crate::Selection;
 use crate::error::{SessionError, within};
+use crate::range::Range;
 
 const M_PER_MM: f64 = 1e-3;
 
 /// Range of the influence radius, in mm.
-pub const RADIUS_MM: Range = Range { min: 5.0, max: 120.0, step: 1.0, default: 25.0 };
+pub const RADIUS_MM: Range = Range { min: 5.0, max: 120.0, step: 1.0, neutral: 25.0 };
 
 /// Range of the offset sliders of the selection, in mm. A drag can go further.
-pub const SLIDER_MM: Range = Range { min: -40.0, max: 40.0, step: 0.1, default: 0.0 };
-
-/// Range of a slider.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// Lower end.
-    pub min: f64,
-    /// Upper end.
-    pub max: f64,
-    /// Change per key press.
-    pub step: f64,
-    /// Initial value.
-    pub default: f64,
-}
+pub const SLIDER_MM: Range = Range { min: -40.0, max: 40.0, step: 0.1, neutral: 0.0 };
 
 /// Settings of edits; they persist across selections and faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,7 +86,7 @@ impl Preset {
 
 impl Default for EditOptions {
     fn default() -> Self {
-        Preset::Sculpt.edit_options(RADIUS_MM.default)
+        Preset::Sculpt.edit_options(RADIUS_MM.neutral)
     }
 }
 

@@ -1,4 +1,3 @@
-use rosto_export::ExportError;
 use rosto_face::FaceError;
 use rosto_studio::StudioError;
 use rosto_studio::project::ProjectError;
@@ -61,11 +60,8 @@ pub enum SessionError {
         most_m: f64,
     },
     /// The text is not valid photo-edit data.
-    #[error("the photo-edit data has a missing or invalid {field:?}")]
-    PhotoEdit {
-        /// The missing or invalid field.
-        field: &'static str,
-    },
+    #[error(transparent)]
+    PhotoEdit(rosto::Error),
     /// The text is not a valid set of preferences.
     #[error("the preferences have a missing or invalid {field:?}")]
     Preferences {
@@ -81,9 +77,6 @@ pub enum SessionError {
     /// The edit has no solution.
     #[error(transparent)]
     Studio(#[from] StudioError),
-    /// The file cannot be written.
-    #[error(transparent)]
-    Export(#[from] ExportError),
 }
 
 /// Checks that a number is within its range; rejects NaN.

@@ -2,7 +2,8 @@
 //!
 //! A [`Session`] is plain data, independent of browser and GPU. Each user action is an [`Intent`]. [`Session::apply`]
 //! applies an intent completely or not at all and returns what [`Changed`]. The caller then reads [`State`], [`Tick`]
-//! during an edit, and the [`Stage`](rosto_stage::Stage) for the view.
+//! during an edit, and the [`Stage`](rosto_stage::Stage) for the view. Intents and states are messages: they implement
+//! serde and have TypeScript types.
 
 mod changed;
 mod choice;
@@ -13,21 +14,19 @@ mod error;
 #[path = "../tests/properties/faces.rs"]
 #[allow(dead_code, reason = "the property tests use the other items")]
 mod faces;
-mod files;
-mod further_photo;
+mod formats;
 mod gesture;
-mod incoming;
-mod intent;
 mod live_preview;
 mod marks;
-mod names;
+mod message;
 mod open_face;
+mod range;
 mod rows;
+mod saved;
 mod seeds;
 mod selection;
 mod session;
 mod slider_influence;
-mod state;
 mod strokes;
 mod texture;
 mod view;
@@ -38,19 +37,20 @@ extern crate self as rosto_session;
 pub use changed::Changed;
 pub use choice::Choice;
 pub use drag::Pace;
-pub use edit_options::{AnchorChoice, EditOptions, Preset, RADIUS_MM, Range, SLIDER_MM};
+pub use edit_options::{AnchorChoice, EditOptions, Preset, RADIUS_MM, SLIDER_MM};
 pub use error::SessionError;
-pub use files::{EditsAs, ExpressionsAs, FileOptions, plain_formats, printed_formats};
-pub use further_photo::FurtherPhoto;
+pub use formats::{FormatFacts, formats};
 pub use gesture::Hovered;
-pub use incoming::{Incoming, MAX_ENTRIES, MAX_SHOWN_DENSITY, Work};
-pub use intent::Intent;
 pub use live_preview::LivePreview;
+pub use message::{
+    Applied, Catalogue, Entry, LightSettings, MAX_LISTED, PhotoState, Refusal, SliderRange, State, Target, Tick,
+};
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
+pub use range::Range;
 pub use rows::Row;
+pub use saved::{MAX_ENTRIES, MAX_SHOWN_DENSITY};
 pub use selection::{Selection, SelectionMode};
-pub use session::{BRUSH_PX, Session};
-pub use state::{FaceState, State, Tick};
+pub use session::{BRUSH_PX, FALLOFF_BAND, Intent, Session};
 pub use strokes::Strokes;
 pub use texture::TextureSource;
 pub use view::{Motion, Turntable, View};

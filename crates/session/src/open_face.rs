@@ -7,7 +7,7 @@ mod selecting;
 mod state;
 
 use glam::DVec3;
-use rosto_face::{FaceModel, Photo, Triangulation};
+use rosto_face::{FaceModel, Triangulation};
 use rosto_studio::{Command, Details, Document, EditTarget, Expression, FaceSlider, Mirror, StudioError, Switch};
 
 use crate::Selection;
@@ -27,7 +27,7 @@ pub(crate) const MM_PER_M: f64 = 1000.0;
 pub const MAX_OFFSET_M: f64 = 0.5;
 
 /// Offsets below this are zero: slider values and the history's sum differ by rounding.
-const MIN_MM: f64 = 1e-6;
+pub(crate) const MIN_MM: f64 = 1e-6;
 const MIN_M: f64 = MIN_MM * M_PER_MM;
 const MIN_WEIGHT: f64 = 1e-9;
 
@@ -35,7 +35,6 @@ const MIN_WEIGHT: f64 = 1e-9;
 pub struct OpenFace {
     model: FaceModel,
     document: Document,
-    triangulation: Triangulation,
     selection: Option<Selection>,
     /// Why the selection cannot be moved, if it cannot.
     refusal: Option<StudioError>,
@@ -56,15 +55,12 @@ pub struct OpenFace {
     photo: PhotoEdit,
     /// View distance and strokes of photos that led before, by their landmarks.
     inactive_photos: Vec<(Vec<[f32; 3]>, Option<f64>, Strokes)>,
-    /// Whole-face texture, in the canonical face's coordinates.
-    pub(crate) texture: Option<Photo>,
 }
 
 impl OpenFace {
     pub(crate) fn new(model: FaceModel, document: Document) -> Self {
         let rows = Rows::of(&document);
         Self {
-            triangulation: model.triangulation(),
             model,
             document,
             selection: None,
@@ -79,7 +75,6 @@ impl OpenFace {
             rows,
             photo: PhotoEdit::default(),
             inactive_photos: Vec::new(),
-            texture: None,
         }
     }
 
@@ -99,7 +94,7 @@ impl OpenFace {
 
     /// Triangulation of the landmarks.
     pub fn triangulation(&self) -> Triangulation {
-        self.triangulation
+        self.model.triangulation()
     }
 
     /// The current selection.

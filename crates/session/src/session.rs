@@ -2,6 +2,7 @@ mod appearance;
 mod editing;
 #[cfg(test)]
 mod faults;
+mod intent;
 mod live_preview;
 mod opening;
 mod photo;
@@ -12,16 +13,16 @@ mod texturing;
 mod transaction;
 
 use rosto_face::LANDMARK_COUNT;
-use rosto_stage::{Scene, Stage};
-use rosto_studio::{Document, Switch};
+use rosto_stage::{Axis, Scene, Stage};
 
 use crate::gesture::{Gesture, Hovered};
 use crate::live_preview::LivePreview;
 use crate::open_face::OpenFace;
 use crate::seeds::Seeds;
-use crate::strokes::Strokes;
-use crate::{Changed, EditOptions, Intent, SelectionMode, SessionError, View, marks};
-pub use photo::BRUSH_PX;
+use crate::texture::TextureRequests;
+use crate::{Changed, EditOptions, SelectionMode, SessionError, View, marks};
+pub use intent::Intent;
+pub use photo::{BRUSH_PX, FALLOFF_BAND};
 
 /// A user's session: the open face, settings, selection, edit in progress and view.
 ///
@@ -38,6 +39,7 @@ pub struct Session {
     seeds: Seeds,
     brush_px: Option<f64>,
     live_preview: Option<LivePreview>,
+    textures: TextureRequests,
 }
 
 type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
@@ -56,6 +58,7 @@ impl Session {
             seeds: Seeds::new(seed),
             brush_px: None,
             live_preview: None,
+            textures: TextureRequests::default(),
         };
         session.stage.render_settings_mut().dotted = Some(LANDMARK_COUNT as u32);
         session.show_empty();
@@ -85,6 +88,11 @@ impl Session {
     /// View settings, which take effect when a face is open.
     pub fn view(&self) -> &View {
         &self.view
+    }
+
+    /// Density of the displayed mesh, or of the next face's without a face.
+    pub fn density(&self) -> u32 {
+        self.face().map_or(self.view.density, |face| face.document().density())
     }
 
     /// The stage to draw.
@@ -117,6 +125,14 @@ impl Session {
         matches!(self.gesture, Gesture::Dragging { is_at_end: true, .. })
     }
 
+    /// Axis to which the drag is constrained.
+    pub(crate) fn dragged_axis(&self) -> Option<Axis> {
+        match self.gesture {
+            Gesture::Dragging { axis, .. } => axis,
+            _ => None,
+        }
+    }
+
     /// Applies a user action completely or not at all; returns what changed.
     ///
     /// # Errors
@@ -136,65 +152,6 @@ impl Session {
             marks::show_offset(&mut self.stage, self.face.as_ref());
         }
         Ok(changed)
-    }
-
-    fn dispatch(&mut self, intent: Intent) -> Result {
-        match intent {
-            Intent::Open(incoming) => self.open(*incoming),
-            Intent::Close => self.close(),
-            Intent::RestorePreferences(text) => self.prefer(&text),
-            Intent::Mode(mode) => self.set_mode(mode),
-            Intent::Select(selection) => self.select(selection),
-            Intent::SelectAt(vertex) => self.select_at(vertex),
-            Intent::SelectUnder(position_px) => self.select_under(position_px),
-            Intent::Pin(switch) => self.pin_selected(switch),
-            Intent::PinUnder(position_px) => self.toggle_pin_at(position_px),
-            Intent::Preset(preset) => self.set_preset(preset),
-            Intent::Operator(operator) => self.choose(EditOptions { operator, ..self.edit_options }),
-            Intent::Constraint(constraint) => self.choose(EditOptions { constraint, ..self.edit_options }),
-            Intent::Details(details) => self.choose(EditOptions { details, ..self.edit_options }),
-            Intent::Anchors(anchors) => self.choose(EditOptions { anchors, ..self.edit_options }),
-            Intent::Mirror(mirror) => self.choose(EditOptions { mirror, ..self.edit_options }),
-            Intent::Nearby(switch) => self.choose(EditOptions { is_nearby: switch == Switch::On, ..self.edit_options }),
-            Intent::Radius(radius_mm) => self.choose(self.edit_options.with_radius(radius_mm)?),
-            Intent::Widen(factor) => self.widen(factor),
-            Intent::Preview(offset_mm) => self.preview(offset_mm),
-            Intent::Slide(slider, to_mm) => self.slide(slider, to_mm),
-            Intent::Express(expression, to) => self.express(expression, to),
-            Intent::Commit => self.finish(OpenFace::commit),
-            Intent::Cancel => self.cancel(),
-            Intent::Hover(position_px) => Ok(self.hover(position_px)),
-            Intent::PointAt(landmark) => self.point_at(landmark),
-            Intent::Press(position_px, pointer) => Ok(self.press(position_px, pointer)),
-            Intent::Drag(position_px, pace) => self.drag(position_px, pace),
-            Intent::Along(axis) => self.drag_along(axis),
-            Intent::Release => self.release(),
-            Intent::Undo if self.brush_px.is_some() => self.change_strokes(Strokes::undo),
-            Intent::Redo if self.brush_px.is_some() => self.change_strokes(Strokes::redo),
-            Intent::ClearStrokes => self.change_strokes(Strokes::clear),
-            Intent::Undo => self.undo(),
-            Intent::Redo => self.finish(|face, edit_options| face.change_history(edit_options, Document::redo)),
-            Intent::Reset => self.reset(),
-            Intent::ResetSelected => self.reset_selected(),
-            Intent::ResetExpressions => self.reset_expressions(),
-            Intent::Switch(index, switch) => self.switch(index, switch),
-            Intent::Symmetrise(share) => self.symmetrise(share),
-            Intent::Density(density) => self.set_density(density),
-            Intent::PhotoLens(lens) => self.set_photo_lens(lens),
-            Intent::AddPhoto(photo) => self.change_photos(|face, edit_options| face.add_photo(&photo, edit_options)),
-            Intent::RemovePhoto(photo) => {
-                self.change_photos(|face, edit_options| face.remove_photo(photo, edit_options))
-            }
-            Intent::Triangulation(triangulation) => self.set_triangulation(triangulation),
-            Intent::Scene(scene) => Ok(self.set_scene(scene)),
-            Intent::FalloffBand(share) => self.set_falloff_band(share),
-            Intent::SeenFrom(distance_m) => self.set_seen_from(distance_m),
-            Intent::Brush(radius_px) => self.set_brush(radius_px),
-            Intent::ShowDepth => self.show_depth(),
-            Intent::TextureSource(texture_source) => Ok(self.set_texture_source(texture_source)),
-            Intent::TextureSize(size) => Ok(self.set_texture_size(size)),
-            seen => self.see(seen),
-        }
     }
 
     /// Frames a face again that has grown out of the view, once the edit has ended.

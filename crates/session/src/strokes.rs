@@ -1,14 +1,6 @@
-//! Strokes that protect parts of a photo, and their JSON text.
-
 use glam::DVec2;
-use rosto_face::DISTANCES_M;
+use rosto::MAX_DABS;
 use rosto_warp::Dab;
-use serde_json::{Value, json};
-
-use crate::SessionError;
-
-/// Maximum number of dabs.
-const MAX_DABS: usize = 20_000;
 
 /// Minimum distance between dabs, as a share of their radius.
 const MIN_SPACING: f64 = 0.3;
@@ -21,6 +13,15 @@ pub struct Strokes {
 }
 
 impl Strokes {
+    pub(crate) fn new(done: Vec<Vec<Dab>>) -> Self {
+        Self { done, undone: Vec::new() }
+    }
+
+    /// The strokes, each as dabs in painting order.
+    pub(crate) fn done(&self) -> &[Vec<Dab>] {
+        &self.done
+    }
+
     /// The dabs, in painting order.
     pub fn dabs(&self) -> impl Iterator<Item = &Dab> {
         self.done.iter().flatten()
@@ -66,36 +67,4 @@ impl Strokes {
     pub(crate) fn clear(&mut self) {
         self.undone.extend(self.done.drain(..).rev());
     }
-
-    /// View distance and strokes as JSON text, for [`Work::photo`](crate::Work::photo).
-    pub(crate) fn to_json(&self, seen_from_m: Option<f64>) -> String {
-        let dab = |dab: &Dab| json!([dab.centre_px.x, dab.centre_px.y, dab.radius_px]);
-        let protected: Vec<Value> = self.done.iter().map(|stroke| stroke.iter().map(dab).collect()).collect();
-        json!({ "seen_from_m": seen_from_m, "kept_px": protected }).to_string()
-    }
-}
-
-/// Reads the text written by [`Strokes::to_json`].
-pub(crate) fn read(text: &str) -> Result<(Option<f64>, Strokes), SessionError> {
-    let invalid = |field| SessionError::PhotoEdit { field };
-    let value: Value = serde_json::from_str(text).map_err(|_| invalid("JSON"))?;
-    let seen_from_m = match &value["seen_from_m"] {
-        Value::Null => None,
-        number => Some(number.as_f64().filter(|m| DISTANCES_M.contains(m)).ok_or(invalid("seen_from_m"))?),
-    };
-    let strokes = value["kept_px"].as_array().ok_or(invalid("kept_px"))?.iter().map(stroke);
-    let done: Vec<Vec<Dab>> = strokes.collect::<Option<_>>().ok_or(invalid("kept_px"))?;
-    if done.iter().map(Vec::len).sum::<usize>() > MAX_DABS {
-        return Err(invalid("kept_px"));
-    }
-    Ok((seen_from_m, Strokes { done, undone: Vec::new() }))
-}
-
-fn stroke(value: &Value) -> Option<Vec<Dab>> {
-    let dabs = value.as_array()?.iter().map(|dab| {
-        let numbers: Option<Vec<f64>> = dab.as_array()?.iter().map(Value::as_f64).collect();
-        let [x, y, radius_px] = numbers?[..] else { return None };
-        (radius_px > 0.0).then_some(Dab { centre_px: DVec2::new(x, y), radius_px })
-    });
-    dabs.collect()
 }

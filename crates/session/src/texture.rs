@@ -1,5 +1,6 @@
 use glam::DVec2;
-use rosto_face::{Photo, canonical_uvs};
+use rosto_export::TextureSize;
+use rosto_face::canonical_uvs;
 
 use crate::OpenFace;
 
@@ -15,12 +16,36 @@ rosto_mesh::named! {
     }
 }
 
-impl OpenFace {
-    /// The whole-face texture, if it is available.
-    pub fn texture(&self) -> Option<&Photo> {
-        self.texture.as_ref()
+/// Requests of the whole-face texture, which the worker bakes and the caller holds.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct TextureRequests {
+    /// Number of changes of the photos or their lenses, over all faces.
+    changes: u32,
+    /// The request whose texture is shown.
+    shown: Option<u32>,
+}
+
+impl TextureRequests {
+    /// Number of the request for the current photos in a size.
+    pub(crate) fn number(&self, size: TextureSize) -> u32 {
+        self.changes * TextureSize::ALL.len() as u32 + size as u32
     }
 
+    /// Shows no texture after a change of the photos or their lenses.
+    pub(crate) fn restart(&mut self) {
+        (self.changes, self.shown) = (self.changes + 1, None);
+    }
+
+    pub(crate) fn shown(&self) -> Option<u32> {
+        self.shown
+    }
+
+    pub(crate) fn show(&mut self, request: u32) {
+        self.shown = Some(request);
+    }
+}
+
+impl OpenFace {
     /// Texture coordinates in the whole-face texture of each displayed vertex.
     pub fn texture_uvs(&self) -> Vec<DVec2> {
         self.document().from_cage(&canonical_uvs())

@@ -1,6 +1,6 @@
 use rosto_export::TextureSize;
 use rosto_face::Triangulation;
-use rosto_stage::{Background, Lens, PictureLight, Scene, ShadingMode, Stage, Surface, Visibility};
+use rosto_stage::{Background, Scene, Stage, Surface, Visibility};
 use rosto_studio::{DEFAULT_FALLOFF_BAND, SMOOTH_DENSITY, Switch};
 
 use crate::TextureSource;
@@ -10,21 +10,18 @@ const IDLE_TURN_DEG_PER_S: f64 = 14.0;
 /// Speed of auto-rotation.
 const TURNTABLE_DEG_PER_S: f64 = 24.0;
 
-/// View settings of an open face; they persist from one face to the next.
+/// View settings of an open face; they persist from one face to the next. Settings that are the same without a face are
+/// in the [`Stage`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     /// Whether the photo or the 3D face is displayed.
     pub scene: Scene,
     /// Falloff band around the face in its photo, as a share of the face's longer side.
     pub falloff_band: f64,
-    /// Colouring of the surface.
-    pub shading: ShadingMode,
     /// Source of the texture.
     pub texture_source: TextureSource,
     /// Size of the texture.
     pub texture_size: TextureSize,
-    /// Lens of the view.
-    pub lens: Lens,
     /// Whether edges are shown.
     pub wireframe: Visibility,
     /// The background.
@@ -35,8 +32,6 @@ pub struct View {
     pub triangulation: Triangulation,
     /// Density of the next face's mesh.
     pub density: u32,
-    /// Lighting of the photo.
-    pub picture_light: PictureLight,
     /// Whether anchors are marked.
     pub anchors: Switch,
     /// Whether animations run.
@@ -69,16 +64,13 @@ impl Default for View {
         Self {
             scene: Scene::default(),
             falloff_band: DEFAULT_FALLOFF_BAND,
-            shading: ShadingMode::default(),
             texture_source: TextureSource::default(),
             texture_size: TextureSize::default(),
-            lens: Lens::default(),
             wireframe: Visibility::default(),
             background: Background::default(),
             turntable: Turntable::default(),
             triangulation: Triangulation::Canonical,
             density: SMOOTH_DENSITY,
-            picture_light: PictureLight::default(),
             anchors: Switch::Off,
             motion: Motion::default(),
         }
@@ -93,11 +85,8 @@ impl View {
             (false, _, Turntable::Turns) => TURNTABLE_DEG_PER_S,
             _ => 0.0,
         });
-        stage.camera_mut().set_lens(self.lens);
         let settings = stage.render_settings_mut();
         settings.background = if is_empty { Background::Transparent } else { self.background };
-        settings.shading = self.shading;
-        settings.picture_light = self.picture_light;
         settings.surface = if is_empty { Surface::HiddenLine } else { Surface::Shaded };
         settings.wireframe = if is_empty { Visibility::Shown } else { self.wireframe };
     }

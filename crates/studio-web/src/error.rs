@@ -1,5 +1,5 @@
 use js_sys::{Error, Reflect};
-use rosto_export::{ExportError, ReopenError, SolidError};
+use rosto_export::ReopenError;
 use rosto_face::FaceError;
 use rosto_session::SessionError;
 use rosto_studio::StudioError;
@@ -14,15 +14,18 @@ export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
     | "another-face" | "too-many-photos"
-    | "cannot-solve" | "cannot-export" | "too-thick" | "no-body" | "surface-alone" | "bad-project" | "bad-history" | "other-version" | "damaged-glb" | "foreign-glb"
+    | "cannot-solve" | "bad-history" | "other-version"
     | "not-drawn" | "no-memory" | "internal";
-/** A thrown error: `message` says what failed, `hint` what to do, and `maxMm` is the largest wall thickness that works. */
-export interface StudioError extends Error { code: StudioErrorCode; hint: string; maxMm?: number }
+/** A thrown error: `message` says what failed and `hint` what to do. */
+export interface StudioError extends Error { code: StudioErrorCode; hint: string }
 "#;
 
 /// Code and hint of a file or history of another version.
 const OTHER_VERSION: (&str, &str) =
     ("other-version", "Reload the page to get its newest version, or open the photo instead.");
+
+/// The types of numbers in messages, as serde's errors name them.
+const NUMBERS: [&str; 4] = ["f64", "u32", "usize", "u8"];
 
 /// An error of the façade; JavaScript receives it as an `Error` with `code` and `hint`.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,8 +33,6 @@ pub(crate) struct FacadeError {
     pub code: &'static str,
     pub message: String,
     pub hint: &'static str,
-    /// Largest value that works, in mm, if a length is too large.
-    pub max_mm: Option<f64>,
 }
 
 /// Result type of façade methods.
@@ -39,7 +40,7 @@ pub(crate) type Result<T, E = FacadeError> = std::result::Result<T, E>;
 
 impl FacadeError {
     pub fn new(code: &'static str, message: impl Into<String>, hint: &'static str) -> Self {
-        Self { code, message: message.into(), hint, max_mm: None }
+        Self { code, message: message.into(), hint }
     }
 
     pub fn no_face() -> Self {
@@ -55,23 +56,25 @@ impl FacadeError {
         value.ok_or_else(Self::bad_choice)
     }
 
-    /// The error of a GLB that cannot be reopened.
-    pub fn of_glb(error: ReopenError) -> Self {
-        let (code, hint) = match error {
-            ReopenError::Foreign => ("foreign-glb", "Open a GLB that Rosto wrote, or a photo."),
-            ReopenError::Version { .. } => OTHER_VERSION,
-            _ => ("damaged-glb", "Copy or download the file again, or open the photo."),
-        };
-        Self::new(code, error.to_string(), hint)
+    /// The error of a face's texts that cannot be read.
+    pub fn of_saved(error: ReopenError) -> Self {
+        match error {
+            ReopenError::Face(FaceError::RecordVersion { .. }) | ReopenError::Version { .. } => {
+                Self::new(OTHER_VERSION.0, error.to_string(), OTHER_VERSION.1)
+            }
+            ReopenError::Face(error) => error.into(),
+            _ => Self::new("bad-history", error.to_string(), "Open an earlier copy of the file, or the photo."),
+        }
     }
 
-    /// The error of a project file that cannot be opened.
-    pub fn of_project(error: ReopenError) -> Self {
-        let (code, hint) = match error {
-            ReopenError::Version { .. } => OTHER_VERSION,
-            _ => ("bad-project", "The file may be incomplete. Open the photo instead."),
-        };
-        Self::new(code, error.to_string(), hint)
+    /// The error of a message that is not an intent.
+    pub fn of_message(error: &impl std::fmt::Display) -> Self {
+        let message = error.to_string();
+        let is_number = NUMBERS.iter().any(|number| message.ends_with(&format!("expected {number}")));
+        match is_number {
+            true => Self::new("bad-number", message, "Enter a number of this kind."),
+            false => Self { message, ..Self::bad_choice() },
+        }
     }
 
     pub fn bad_choice() -> Self {
@@ -85,9 +88,6 @@ impl From<FacadeError> for JsValue {
         // Setting a property of a new error object does not fail.
         let _ = Reflect::set(&thrown, &"code".into(), &error.code.into());
         let _ = Reflect::set(&thrown, &"hint".into(), &error.hint.into());
-        if let Some(max_mm) = error.max_mm {
-            let _ = Reflect::set(&thrown, &"maxMm".into(), &max_mm.into());
-        }
         thrown.into()
     }
 }
@@ -123,14 +123,13 @@ impl From<SessionError> for FacadeError {
             SessionError::NoSuchVertex { .. } => ("bad-vertex", "Choose an existing point."),
             SessionError::NoSuchPhoto { .. } => ("bad-number", "Choose an existing photo."),
             SessionError::OutOfRange { .. } => ("bad-number", "Enter a number in this range."),
-            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::PhotoEdit { .. } => {
+            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::PhotoEdit(_) => {
                 ("bad-history", "Open an earlier copy of the file, or the photo.")
             }
             SessionError::Preferences { .. } => ("bad-choice", "Choose the settings again."),
             SessionError::Face(error) => return error.into(),
             SessionError::Project(error) => return error.into(),
             SessionError::Studio(error) => return error.into(),
-            SessionError::Export(error) => return error.into(),
             _ => ("internal", "Reload the page; saved work is offered again."),
         };
         Self::new(code, message, hint)
@@ -158,22 +157,6 @@ impl From<StudioError> for FacadeError {
             StudioError::NoSuchEntry { .. } => Self::new("bad-number", message, "Choose an existing entry."),
             _ => Self::new("cannot-solve", message, "Choose another point, other fixed points or a larger radius."),
         }
-    }
-}
-
-impl From<ExportError> for FacadeError {
-    fn from(error: ExportError) -> Self {
-        let (code, hint) = match error {
-            ExportError::NoBody => ("surface-alone", "Choose a thickness or a flat back."),
-            ExportError::Solid(SolidError::TooThick { .. }) => ("too-thick", "Choose a thinner wall, or a flat back."),
-            ExportError::Solid(_) => ("no-body", "Choose another body, or undo the last edit."),
-            _ => ("cannot-export", "Undo the last edit and try again."),
-        };
-        let max_mm = match error {
-            ExportError::Solid(SolidError::TooThick { most_m, .. }) => Some(1000.0 * most_m),
-            _ => None,
-        };
-        Self { max_mm, ..Self::new(code, error.to_string(), hint) }
     }
 }
 

@@ -12,8 +12,8 @@ use crate::shown::CameraStream;
 /// The live preview.
 #[wasm_bindgen]
 impl Studio {
-    /// Shows the next frame of the camera with the open face's edits. `landmarks` are as for `openFace`, or undefined
-    /// if the frame contains no face. The first frame starts the live preview.
+    /// Shows the next frame of the camera with the open face's edits. `landmarks` are those of the worker's `follow`, or
+    /// undefined if the frame contains no face. The first frame starts the live preview.
     ///
     /// # Errors
     /// `no-face`, `bad-face` or `device-lost`.
@@ -125,7 +125,7 @@ impl Studio {
             self.viewport.show(&MeshInput {
                 topology: face.document().topology(),
                 positions_m: live_preview.edited_m(),
-                colours_srgb: &face.colours_srgb(&face.uvs()),
+                colours_srgb: &face.colours_srgb(),
                 uvs: live_preview.uvs(),
                 picture: Some(&camera_stream.on_gpu),
             })?;

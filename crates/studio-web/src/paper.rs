@@ -1,7 +1,7 @@
 use std::time::Duration;
 
 use glam::DVec3;
-use rosto_face::{FaceInput, FaceModel, Photo, PhotoLens, Triangulation};
+use rosto_face::{FaceModel, Observation, PhotoLens, Triangulation};
 use rosto_studio::paper::{
     Claims, DEGREES, Experiment, Method, MethodOutcome, OFFSETS, Plan, PlotWords, TABLE_1, TableRow, Task, Trial, svg,
 };
@@ -9,8 +9,7 @@ use rosto_studio::{ConstraintKind, StudioError};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::error::{FacadeError, Result};
-use crate::modes::TaskName;
+use crate::error::Result;
 use crate::readable::readable;
 
 /// The paper's experiment on the open face; independent of its edits.
@@ -19,7 +18,8 @@ use crate::readable::readable;
 /// `share` is 1. `free()` it after use.
 #[wasm_bindgen]
 pub struct PaperRun {
-    face: Landmarks,
+    /// Input of the initial generation. The photo contributes only its colours, which are already sampled.
+    face: Observation,
     experiment: Experiment,
     generation_ms: Option<f64>,
     /// Trials of each method; the paper's method comes first.
@@ -28,13 +28,6 @@ pub struct PaperRun {
     /// The current trial, its next edit, and the resulting positions.
     place: usize,
     pending: Option<(Plan, Vec<DVec3>)>,
-}
-
-/// Input of the initial generation.
-struct Landmarks {
-    landmarks: Vec<[f32; 3]>,
-    colours: Vec<[u8; 3]>,
-    photo_size_px: [u32; 2],
 }
 
 #[wasm_bindgen]
@@ -88,14 +81,14 @@ impl PaperRun {
         let row = |row: &TableRow| {
             let [first_ms, second_ms] = row.seconds.map(|seconds| seconds * 1e3);
             let (task, degree, here_ms) = match row.task {
-                Task::Extraction => (TaskName::Extraction, 0, None),
-                Task::Generation => (TaskName::Generation, 0, self.generation_ms),
+                Task::Extraction => ("extraction", 0, None),
+                Task::Generation => ("generation", 0, self.generation_ms),
                 Task::Edit { degree, round } => {
-                    let task = if round == 0 { TaskName::SmallEdit } else { TaskName::LargeEdit };
+                    let task = if round == 0 { "small-edit" } else { "large-edit" };
                     (task, degree as u32, edits.next().map(|edit| edit.time.as_secs_f64() * 1e3))
                 }
             };
-            PaperRow { task, degree, first_ms, second_ms, here_ms }
+            PaperRow { task: task.to_owned(), degree, first_ms, second_ms, here_ms }
         };
         TABLE_1.iter().map(row).collect()
     }
@@ -152,17 +145,15 @@ impl PaperRun {
         let of_method = |method| seeds.clone().map(move |seed| (method, seed));
         let trials = Method::all().into_iter().flat_map(of_method);
         let trials = trials.map(|(method, seed)| Trial::new(&experiment, method, seed)).collect();
-        let face = Landmarks {
-            landmarks: positions_image.iter().map(|place| place.to_array().map(|part| part as f32)).collect(),
-            colours: face.colours_srgb().to_vec(),
-            photo_size_px: face.photo_size_px(),
-        };
+        let mut face = face.views()[0].observation.clone().with_lens(PhotoLens::Parallel);
+        face.landmarks.truncate(positions_image.len());
         Ok(Self { face, experiment, generation_ms: None, trials, runs: runs as usize, place: 0, pending: None })
     }
 
     fn step(&mut self) -> Result<()> {
         if self.generation_ms.is_none() {
-            return self.face.generate();
+            FaceModel::new(self.face.clone(), Triangulation::Tessellation)?;
+            return Ok(());
         }
         let Some(trial) = self.trials.get(self.place) else { return Ok(()) };
         let Some(plan) = trial.next_edit(&self.experiment) else { return Ok(()) };
@@ -176,30 +167,11 @@ impl PaperRun {
     }
 }
 
-impl Landmarks {
-    /// Landmarks to coloured mesh. The photo contributes only its colours, which are already sampled.
-    fn generate(&self) -> Result<()> {
-        let picture = Photo::from_rgb(1, 1, vec![0; 3])
-            .map_err(|error| FacadeError::new("internal", error.to_string(), "Open the photo again."))?;
-        let [width, height] = self.photo_size_px;
-        let input = FaceInput {
-            landmarks: &self.landmarks,
-            width,
-            height,
-            colours: &self.colours,
-            picture,
-            lens: PhotoLens::Parallel,
-        };
-        FaceModel::new(input, Triangulation::Tessellation)?;
-        Ok(())
-    }
-}
-
 readable! {
     /// A row of the paper's Table 1, with the time measured here.
     pub struct PaperRow {
-        /// The timed task.
-        task: TaskName,
+        /// The timed task: "extraction", "generation", "small-edit" or "large-edit".
+        task: String,
         /// Number of neighbours of the moved vertex; 0 for other tasks.
         degree: u32,
         /// Time in the paper's first test, ms.

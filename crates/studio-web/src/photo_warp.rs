@@ -1,101 +1,16 @@
 use glam::DVec2;
-use rosto_session::{BRUSH_PX, Changed, Intent, OpenFace};
-use rosto_studio::{DEFAULT_FALLOFF_BAND, FALLOFF_BAND_SHARES};
+use rosto_session::{Changed, OpenFace};
 use rosto_viewport::PhotoLayerInput;
 use rosto_warp::WarpMesh;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::error::Result;
-use crate::modes::ChangeName;
 use crate::picture::OpenPicture;
-use crate::state::StudioRange;
-
-/// Warp of the photo, for rendering it at full resolution.
-#[wasm_bindgen(getter_with_clone)]
-pub struct PhotoWarp {
-    /// Points in px of the upright photo, as x, y pairs.
-    #[wasm_bindgen(readonly, js_name = fromPx)]
-    pub from_px: Vec<f64>,
-    /// Positions to which the points move.
-    #[wasm_bindgen(readonly, js_name = toPx)]
-    pub to_px: Vec<f64>,
-    /// Triangles, as three point indices each.
-    #[wasm_bindgen(readonly)]
-    pub triangles: Vec<u32>,
-}
 
 /// The face in its photo.
 #[wasm_bindgen]
 impl Studio {
-    /// Sets the falloff band around the face, as a share of the face's longer side.
-    ///
-    /// # Errors
-    /// `bad-number`.
-    #[wasm_bindgen(js_name = setFalloffBand)]
-    pub fn set_falloff_band(&mut self, share: f64) -> Result<ChangeName, JsValue> {
-        self.act(Intent::FalloffBand(share))
-    }
-
-    /// Range of the falloff band.
-    #[wasm_bindgen(getter, js_name = falloffBandRange)]
-    pub fn falloff_band_range(&self) -> StudioRange {
-        StudioRange {
-            min: *FALLOFF_BAND_SHARES.start(),
-            max: *FALLOFF_BAND_SHARES.end(),
-            step: 0.01,
-            neutral: DEFAULT_FALLOFF_BAND,
-        }
-    }
-
-    /// Shows the face in its photo as from a distance in metres; undefined is the original distance.
-    ///
-    /// # Errors
-    /// `no-face` or `bad-number`.
-    #[wasm_bindgen(js_name = setSeenFrom)]
-    pub fn set_seen_from(&mut self, distance_m: Option<f64>) -> Result<ChangeName, JsValue> {
-        self.act(Intent::SeenFrom(distance_m))
-    }
-
-    /// Sets the brush that protects parts of the photo, by its radius in CSS px; undefined removes it.
-    ///
-    /// # Errors
-    /// `bad-number`.
-    #[wasm_bindgen(js_name = setBrush)]
-    pub fn set_brush(&mut self, radius_px: Option<f64>) -> Result<ChangeName, JsValue> {
-        self.act(Intent::Brush(radius_px))
-    }
-
-    /// Range of the brush's radius, in CSS px.
-    #[wasm_bindgen(getter, js_name = brushRange)]
-    pub fn brush_range(&self) -> StudioRange {
-        StudioRange { min: BRUSH_PX[0], max: BRUSH_PX[1], step: 1.0, neutral: 28.0 }
-    }
-
-    /// Removes all brush strokes.
-    ///
-    /// # Errors
-    /// `no-face`.
-    #[wasm_bindgen(js_name = clearStrokes)]
-    pub fn clear_strokes(&mut self) -> Result<ChangeName, JsValue> {
-        self.act(Intent::ClearStrokes)
-    }
-
-    /// Rotates the view so that edits in depth are visible.
-    ///
-    /// # Errors
-    /// `no-face`.
-    #[wasm_bindgen(js_name = showDepth)]
-    pub fn show_depth(&mut self) -> Result<ChangeName, JsValue> {
-        self.act(Intent::ShowDepth)
-    }
-
-    /// Photo-edit data as text for `openWork`; undefined without a face.
-    #[wasm_bindgen(getter, js_name = photoEdit)]
-    pub fn photo_edit(&self) -> Option<String> {
-        self.session.face().map(|face| face.photo_json())
-    }
-
     /// Centres and radii of the protected dabs, in device pixels of the canvas, as x, y, radius triples.
     #[wasm_bindgen(js_name = protectedOnCanvas)]
     pub fn protected_on_canvas(&self) -> Vec<f32> {
@@ -126,31 +41,12 @@ impl Studio {
         self.session.face().map_or(0.0, |face| face.photo().limited_px())
     }
 
-    /// Width and height of the upright photo in px; empty without a face.
-    #[wasm_bindgen(getter, js_name = photoSize)]
-    pub fn photo_size(&self) -> Vec<u32> {
-        self.session.face().map(|face| face.model().photo_size_px().to_vec()).unwrap_or_default()
-    }
-
     /// Positions of the landmarks, and of the irises if found, in the edited photo, as x, y pairs in shares of its
     /// size; undefined without a face.
     #[wasm_bindgen(js_name = photoLandmarks)]
     pub fn photo_landmarks(&self) -> Option<Vec<f32>> {
         let positions = self.session.face()?.landmarks_in_edited_photo();
         Some(positions.into_iter().flat_map(|position| position.as_vec2().to_array()).collect())
-    }
-
-    /// The warp of the photo; undefined if nothing moves.
-    #[wasm_bindgen(js_name = photoWarp)]
-    pub fn photo_warp(&mut self) -> Option<PhotoWarp> {
-        self.session.update_photo_warp();
-        let (warp_mesh, _) = self.session.face()?.photo().warp_mesh()?;
-        let flat = |positions: &[DVec2]| positions.iter().flat_map(|position| position.to_array()).collect();
-        Some(PhotoWarp {
-            from_px: flat(&warp_mesh.from_px),
-            to_px: flat(&warp_mesh.to_px),
-            triangles: warp_mesh.triangles.as_flattened().to_vec(),
-        })
     }
 }
 
@@ -159,7 +55,7 @@ impl Studio {
     pub(crate) fn show_photo_as_taken(&mut self) {
         self.photo_shown.version = None;
         let still = WarpMesh::default();
-        let face_and_picture = self.session.face().zip(self.picture.as_ref());
+        let face_and_picture = self.session.face().zip(self.pictures.lead(&self.session));
         self.viewport
             .show_photo_layer(face_and_picture.map(|(face, picture)| photo_layer(face, picture, &still)).as_ref());
     }
@@ -186,7 +82,9 @@ impl Studio {
     }
 
     fn show_photo_layer(&mut self) -> Result<()> {
-        let (Some(face), Some(picture)) = (self.session.face(), &self.picture) else { return Ok(()) };
+        let (Some(face), Some(picture)) = (self.session.face(), self.pictures.lead(&self.session)) else {
+            return Ok(());
+        };
         // During the live preview, the camera stream takes the photo's place.
         let Some((warp_mesh, version)) = face.photo().warp_mesh().filter(|_| self.camera_stream.is_none()) else {
             return Ok(());

@@ -1,60 +1,116 @@
-use rosto_face::Photo;
-use rosto_viewport::{PictureOnGpu, Viewport, ViewportError};
+use rosto_session::Session;
+use rosto_viewport::{PictureOnGpu, Viewport};
+use web_sys::ImageBitmap;
 
 use crate::error::{FacadeError, Result};
 
-/// The upright photo of a face: its pixels, for files and colours, and its GPU texture.
-#[derive(Debug, Clone)]
+/// An upright picture on the GPU. The browser holds its pixels, from which another GPU gets it.
+#[derive(Debug)]
 pub(crate) struct OpenPicture {
-    pub photo: Photo,
+    bitmap: ImageBitmap,
     pub on_gpu: PictureOnGpu,
 }
 
 impl OpenPicture {
-    /// Uploads the picture to another GPU.
-    pub fn on(&self, viewport: &Viewport) -> Result<Self> {
-        Self::of(self.photo.clone(), viewport)
-    }
-
     /// Uploads a picture.
-    pub fn of(photo: Photo, viewport: &Viewport) -> Result<Self> {
-        let on_gpu = viewport.reserve_picture(photo.width(), photo.height())?;
-        viewport.write_picture_rows(&on_gpu, 0, &photo.rgbx())?;
-        viewport.finish_picture(&on_gpu);
-        Ok(Self { photo, on_gpu })
+    pub fn new(bitmap: ImageBitmap, viewport: &Viewport) -> Result<Self> {
+        let on_gpu = uploaded(&bitmap, viewport)?;
+        Ok(Self { bitmap, on_gpu })
+    }
+
+    /// Width in px.
+    pub fn width(&self) -> u32 {
+        self.bitmap.width()
+    }
+
+    /// Texture of the picture on another GPU.
+    fn on(&self, viewport: &Viewport) -> Result<PictureOnGpu> {
+        uploaded(&self.bitmap, viewport)
     }
 }
 
-/// A picture that arrives in rows. One call with millions of pixels would block the page, so each batch of rows comes
-/// in a separate task.
-#[derive(Debug)]
-pub(crate) struct IncomingPicture {
-    width: u32,
-    height: u32,
-    rgb: Vec<u8>,
-    on_gpu: PictureOnGpu,
+impl Drop for OpenPicture {
+    /// Frees the pixels without waiting for the browser's garbage collector.
+    fn drop(&mut self) {
+        self.bitmap.close();
+    }
 }
 
-impl IncomingPicture {
-    pub fn new(viewport: &Viewport, width: u32, height: u32) -> Result<Self> {
-        let on_gpu = viewport.reserve_picture(width, height)?;
-        let rgb = Vec::with_capacity(width as usize * height as usize * 3);
-        Ok(Self { width, height, rgb, on_gpu })
+/// The pictures of the open face, of the face to be opened next, and of the whole-face texture.
+#[derive(Debug, Default)]
+pub(crate) struct Pictures {
+    /// Pictures with their keys.
+    all: Vec<(String, OpenPicture)>,
+    /// Keys of the open face's pictures, in the order of its photos.
+    of_face: Vec<String>,
+    pub texture: Option<OpenPicture>,
+}
+
+impl Pictures {
+    /// Adds a picture, in place of another one with its key.
+    pub fn add(&mut self, key: String, picture: OpenPicture) {
+        self.all.retain(|(other, _)| *other != key);
+        self.all.push((key, picture));
     }
 
-    /// Adds the next rows, RGBA without alpha. Returns the picture once it is complete.
-    pub fn add(mut self, viewport: &Viewport, rgba: &[u8]) -> Result<Result<OpenPicture, Self>> {
-        let (width, height) = (self.width, self.height);
-        let (row_bytes, found) = (width as usize * 3, rgba.len());
-        let bad = |_| FacadeError::from(ViewportError::BadPicture { width, height, found });
-        viewport.write_picture_rows(&self.on_gpu, (self.rgb.len() / row_bytes) as u32, rgba)?;
-        let rows = Photo::from_rgbx(width, (rgba.len() / 4 / width as usize) as u32, rgba).map_err(bad)?;
-        self.rgb.extend_from_slice(rows.pixels());
-        if self.rgb.len() < row_bytes * height as usize {
-            return Ok(Err(self));
-        }
-        viewport.finish_picture(&self.on_gpu);
-        let photo = Photo::from_rgb(width, height, self.rgb).map_err(bad)?;
-        Ok(Ok(OpenPicture { photo, on_gpu: self.on_gpu }))
+    /// Checks that a picture was added.
+    pub fn require(&self, key: &str) -> Result<()> {
+        self.find(key).map(|_| ()).ok_or_else(FacadeError::no_picture)
     }
+
+    /// Drops all pictures other than those of a newly opened face.
+    pub fn open(&mut self, of_face: Vec<String>) {
+        self.all.retain(|(key, _)| of_face.contains(key));
+        (self.of_face, self.texture) = (of_face, None);
+    }
+
+    /// Adds a picture to those of the open face.
+    pub fn add_to_face(&mut self, key: String) {
+        self.of_face.push(key);
+    }
+
+    /// Removes a picture from those of the open face.
+    pub fn remove_from_face(&mut self, photo: usize) {
+        self.of_face.remove(photo);
+    }
+
+    /// Keys of the open face's pictures.
+    pub fn of_face(&self) -> &[String] {
+        &self.of_face
+    }
+
+    /// The picture of the open face's lead photo.
+    pub fn lead(&self, session: &Session) -> Option<&OpenPicture> {
+        self.find(self.of_face.get(session.face()?.lead_photo())?)
+    }
+
+    /// Uploads all pictures to another GPU, or keeps the previous ones if one cannot be uploaded.
+    pub fn move_to(&mut self, viewport: &Viewport) -> Result<()> {
+        let uploaded: Vec<PictureOnGpu> = self.each().map(|picture| picture.on(viewport)).collect::<Result<_>>()?;
+        let pictures = self.all.iter_mut().map(|(_, picture)| picture).chain(&mut self.texture);
+        pictures.zip(uploaded).for_each(|(picture, on_gpu)| picture.on_gpu = on_gpu);
+        Ok(())
+    }
+
+    fn each(&self) -> impl Iterator<Item = &OpenPicture> {
+        self.all.iter().map(|(_, picture)| picture).chain(&self.texture)
+    }
+
+    fn find(&self, key: &str) -> Option<&OpenPicture> {
+        self.all.iter().find(|(other, _)| other == key).map(|(_, picture)| picture)
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+fn uploaded(bitmap: &ImageBitmap, viewport: &Viewport) -> Result<PictureOnGpu> {
+    let on_gpu = viewport.reserve_picture(bitmap.width(), bitmap.height())?;
+    viewport.write_frame(&on_gpu, bitmap)?;
+    viewport.finish_picture(&on_gpu);
+    Ok(on_gpu)
+}
+
+/// Bitmaps exist only in browsers; other targets build this crate for its tests.
+#[cfg(not(target_arch = "wasm32"))]
+fn uploaded(bitmap: &ImageBitmap, viewport: &Viewport) -> Result<PictureOnGpu> {
+    Ok(viewport.reserve_picture(bitmap.width(), bitmap.height())?)
 }

@@ -38,7 +38,7 @@ impl Pieces {
         viewport.show(&MeshInput {
             topology: self.split_face.topology(),
             positions_m: &self.positions_m(face.document().committed()),
-            colours_srgb: &self.split_face.colours(&face.colours_srgb(&face.uvs())),
+            colours_srgb: &self.split_face.colours(&face.colours_srgb()),
             uvs: &self.split_face.uvs(uvs),
             picture,
         })?;

@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use glam::DVec3;
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation};
+use rosto_face::{FaceModel, Observation, Photo, Triangulation};
 use rosto_studio::{DEFAULT_FALLOFF_BAND, Document, FaceSlider, PhotoWarp, Rest, whole_texture};
 use rosto_warp::drawn;
 use serde_json::Value;
@@ -69,11 +69,8 @@ fn face(photo: &Photo) -> FaceModel {
     let scaled =
         |row: &Value| [0, 1, 2].map(|axis| SCALE * (number(&row[axis]) - PORTRAIT_CENTRE[axis]) + PHOTO_CENTRE[axis]);
     let landmarks: Vec<[f32; 3]> = golden["landmarks"].as_array().unwrap().iter().map(scaled).collect();
-    let colours = [[0; 3]; LANDMARK_COUNT];
-    let (width, height, picture) = (photo.width(), photo.height(), photo.scaled_down(1024));
-    let input =
-        FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens: PhotoLens::Estimated };
-    FaceModel::new(input, Triangulation::Canonical).unwrap()
+    let observation = Observation { picture: Some(photo.scaled_down(1024)), ..Observation::in_photo(photo, landmarks) };
+    FaceModel::new(observation, Triangulation::Canonical).unwrap()
 }
 
 /// A narrower jaw and a wider nose, without folds.

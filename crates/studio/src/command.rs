@@ -1,4 +1,5 @@
 use glam::DVec3;
+use rosto_face::Region;
 use rosto_laplacian::{ConstraintKind, Operator};
 
 use crate::Expression;
@@ -26,6 +27,20 @@ pub enum Command {
         /// −1..=1: 1 is the full expression; −1 cancels a weight of 1.
         weight: f64,
     },
+}
+
+impl Command {
+    /// Moves a vertex of the mesh at a subdivision level, with the default settings.
+    pub fn move_vertex(level: u32, vertex: u32, offset: DVec3) -> Self {
+        let spec = EditSpec { level, handles: vec![vertex], settings: Settings::default() };
+        Self::Move { spec, offsets: vec![offset] }
+    }
+
+    /// Moves the landmarks of a region, with the default settings.
+    pub fn move_region(region: Region, offset: DVec3) -> Self {
+        let spec = EditSpec { level: 0, handles: region.vertices(), settings: Settings::default() };
+        Self::Move { offsets: vec![offset; spec.handles.len()], spec }
+    }
 }
 
 /// Vertices that an edit moves together, and how the rest of the mesh follows.

@@ -16,6 +16,9 @@ pub enum StudioError {
     /// The texture cannot be made.
     #[error(transparent)]
     Texture(#[from] TextureError),
+    /// A texture was requested of a face that was built without its pictures.
+    #[error("the face was built without its pictures")]
+    NoPicture,
     /// The number of offsets differs from the number of handles.
     #[error("{found} offsets for {expected} handles")]
     WrongOffsetCount {
@@ -104,4 +107,21 @@ pub enum StudioError {
         /// Number of entries.
         count: usize,
     },
+}
+
+impl StudioError {
+    /// Suggested remedy, if there is one.
+    pub fn hint(&self) -> Option<String> {
+        let fixed = match self {
+            Self::TooCoarse { .. } => "Raise the density to that level.",
+            Self::Laplacian(LaplacianError::NoSuchVertex { vertex_count, .. }) => {
+                return Some(format!("The vertices of this mesh are 0 to {}.", vertex_count.saturating_sub(1)));
+            }
+            Self::Laplacian(LaplacianError::PinnedHandle { .. }) => "Use anchors other than the moved vertex.",
+            Self::Laplacian(LaplacianError::Repeated { .. }) => "Give each anchor once.",
+            Self::Laplacian(LaplacianError::NotFinite { .. }) => "Use smaller offsets.",
+            _ => return None,
+        };
+        Some(fixed.to_owned())
+    }
 }

@@ -25,6 +25,7 @@ mod rig;
 mod sliders;
 mod stream_warp;
 mod target;
+mod vertex_colours;
 mod whole_texture;
 
 pub use command::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, Settings};
@@ -42,7 +43,8 @@ pub use rosto_texture::{Shares, Texture};
 pub use sliders::FaceSlider;
 pub use stream_warp::StreamWarp;
 pub use target::{Amount, EditTarget};
-pub use whole_texture::{Shot, texture_plan, texture_side_px, whole_texture, whole_texture_of};
+pub use vertex_colours::vertex_colours;
+pub use whole_texture::{texture_side_px, whole_texture};
 
 /// Compiles the README's examples as doctests.
 #[cfg(doctest)]

@@ -3,7 +3,7 @@ use rosto_face::{
     Camera, FaceModel, LANDMARK_COUNT, Photo, Region, Triangulation, canonical_uvs, crowded_landmarks, opening_edges,
 };
 use rosto_mesh::{LoopSubdivision, Topology, Value};
-use rosto_texture::{Eye, Plan, Subject, Texture, TextureError};
+use rosto_texture::{Eye, Shot, Subject, Texture, texture};
 
 use crate::StudioError;
 use crate::mirror::MirrorTable;
@@ -21,71 +21,49 @@ const TEXELS_PER_PIXEL: f64 = 2.0;
 /// Regions taken from a single photo: a blend of two gazes or smiles would show both.
 const WHOLES: [Region; 3] = [Region::RightEye, Region::LeftEye, Region::Lips];
 
-/// A photo of a face, registered in the model's frame.
-#[derive(Debug, Clone, Copy)]
-pub struct Shot<'a> {
-    /// The upright picture.
-    pub picture: &'a Photo,
-    /// Position of each of the 468 landmarks in it, 0..=1, origin at the top left.
-    pub uvs: &'a [DVec2],
-    /// The photo's camera in the model's frame.
-    pub camera: &'a Camera,
-}
-
-/// Whole-face texture in the canonical face's coordinates ([`canonical_uvs`]). Areas that the photo does not show come
-/// from the other side, mirrored and adjusted to this side's light; areas visible on neither side are filled from their
-/// surroundings.
+/// Whole-face texture of a model's photos, in the canonical face's coordinates ([`canonical_uvs`]); the lead photo sets
+/// the brightness. Areas that the photos do not show come from the other side, mirrored and adjusted to this side's
+/// light; areas visible on neither side are filled from their surroundings.
 ///
 /// It is made from the face at rest with the canonical triangulation, and fits both triangulations and any density and
 /// edit.
 ///
 /// # Errors
-/// [`StudioError::Texture`] if the side is not a power of two within [`rosto_texture::SIDES_PX`].
+/// [`StudioError::NoPicture`] if a photo has no picture, [`StudioError::Texture`] if the side is not a power of two
+/// within [`rosto_texture::SIDES_PX`].
 pub fn whole_texture(face: &FaceModel, side_px: u32) -> Result<Texture, StudioError> {
-    whole_texture_of(face, &[], side_px)
-}
-
-/// Whole-face texture from several photos. The face's own photo sets the brightness.
-///
-/// # Errors
-/// See [`whole_texture`]. Also [`StudioError::Texture`] if there are more than [`rosto_texture::MAX_SHOTS`] photos in
-/// all, or if a shot does not have 468 finite positions.
-pub fn whole_texture_of(face: &FaceModel, others: &[Shot<'_>], side_px: u32) -> Result<Texture, StudioError> {
-    others.iter().try_for_each(check)?;
-    let pictures: Vec<&Photo> = [face.picture()].into_iter().chain(others.iter().map(|shot| shot.picture)).collect();
-    let others: Vec<(&[DVec2], &Camera)> = others.iter().map(|shot| (shot.uvs, shot.camera)).collect();
-    Ok(texture_plan(face, &others).texture(&pictures, side_px)?)
-}
-
-fn check(shot: &Shot<'_>) -> Result<(), TextureError> {
-    let (what, expected, found) = ("positions in a photo", LANDMARK_COUNT, shot.uvs.len());
-    if found == expected { Ok(()) } else { Err(TextureError::WrongLength { what, expected, found }) }
-}
-
-/// Plan of the whole-face texture: everything except the pixels of the photos, the face's own first. `others` holds the
-/// position of the 468 landmarks in each further photo, and its camera. A plan can be executed in another process.
-pub fn texture_plan(face: &FaceModel, others: &[(&[DVec2], &Camera)]) -> Plan {
+    let pictures = face.views().iter().map(|view| view.observation.picture.as_ref());
+    let pictures: Vec<&Photo> = pictures.collect::<Option<_>>().ok_or(StudioError::NoPicture)?;
     let dense = Dense::new();
-    let positions = dense.interpolate(face.positions_m());
     let wholes = WHOLES.map(|region| dense.made_of(&region.vertices()));
     let subject = Subject {
         topology: &dense.topology,
-        positions: &positions,
-        atlas_uvs: &dense.interpolate(&canonical_uvs()),
+        positions: &rounded(dense.interpolate(face.positions_m())),
+        atlas_uvs: &rounded_uvs(dense.interpolate(&canonical_uvs())),
         partners: &dense.partners,
         features: &wholes,
     };
-    let mut plan = Plan::new(&subject);
-    for (uvs, camera) in [(face.uvs(), face.camera())].into_iter().chain(others.iter().copied()) {
-        plan.add(&dense.interpolate(uvs), eye(camera));
-    }
-    plan
+    let uvs: Vec<Vec<DVec2>> = face.views().iter().map(|view| rounded_uvs(dense.interpolate(&view.uvs))).collect();
+    let shots = face.views().iter().zip(&pictures).zip(&uvs);
+    let shots: Vec<Shot<'_>> =
+        shots.map(|((view, picture), uvs)| Shot { picture, uvs, eye: eye(&view.camera) }).collect();
+    Ok(texture(&subject, &shots, side_px)?)
+}
+
+/// Rounds to single precision, so that differences in a mesh's last digits between machines do not change the texture.
+fn rounded(positions: Vec<DVec3>) -> Vec<DVec3> {
+    positions.into_iter().map(|position| position.as_vec3().as_dvec3()).collect()
+}
+
+fn rounded_uvs(uvs: Vec<DVec2>) -> Vec<DVec2> {
+    uvs.into_iter().map(|uv| uv.as_vec2().as_dvec2()).collect()
 }
 
 /// Side length of a face's texture in px: the power of two that holds the detail of the face's sharpest photo, at most
 /// `at_most_px`. A longer side would cost time and memory without adding detail.
 pub fn texture_side_px(face: &FaceModel, at_most_px: u32) -> u32 {
-    let sharpest = face.views().iter().map(|view| pixels_per_side(&view.picture, &view.uvs)).fold(0.0, f64::max);
+    let pictures = face.views().iter().filter_map(|view| Some((view.observation.picture.as_ref()?, &view.uvs)));
+    let sharpest = pictures.map(|(picture, uvs)| pixels_per_side(picture, uvs)).fold(0.0, f64::max);
     let filled_px = (TEXELS_PER_PIXEL * sharpest).ceil() as u32;
     filled_px.checked_next_power_of_two().unwrap_or(at_most_px).clamp(SHORTEST_SIDE_PX.min(at_most_px), at_most_px)
 }
@@ -146,8 +124,8 @@ impl Dense {
 fn eye(camera: &Camera) -> Eye {
     let model_from_camera = camera.camera_from_model.inverse();
     if camera.focal_px.is_finite() {
-        Eye::At(model_from_camera.translation)
+        Eye::At(model_from_camera.translation.as_vec3().as_dvec3())
     } else {
-        Eye::Towards(model_from_camera.transform_vector3(DVec3::Z))
+        Eye::Towards(model_from_camera.transform_vector3(DVec3::Z).as_vec3().as_dvec3())
     }
 }

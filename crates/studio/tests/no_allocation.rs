@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use glam::DVec3;
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m};
+use rosto_face::{FaceModel, LANDMARK_COUNT, Observation, PhotoLens, Triangulation, canonical_positions_m};
 use rosto_studio::*;
 
 struct Counting;
@@ -75,10 +75,13 @@ fn face() -> FaceModel {
     let landmark = |position_m: DVec3| {
         [0.5 + 2.0 * position_m.x, 0.5 - 2.0 * position_m.y, -2.0 * position_m.z].map(|at| at as f32)
     };
-    let landmarks: Vec<[f32; 3]> = canonical_positions_m().into_iter().map(landmark).collect();
-    let colours = vec![[0; 3]; LANDMARK_COUNT];
-    let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
-    let (width, height, lens) = (640, 640, PhotoLens::Distance(0.5));
-    let input = FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens };
-    FaceModel::new(input, Triangulation::Canonical).unwrap()
+    let observation = Observation {
+        landmarks: canonical_positions_m().into_iter().map(landmark).collect(),
+        photo_size_px: [640, 640],
+        colours_srgb: vec![[0; 3]; LANDMARK_COUNT],
+        found_lens: PhotoLens::Estimated,
+        lens: PhotoLens::Distance(0.5),
+        picture: None,
+    };
+    FaceModel::new(observation, Triangulation::Canonical).unwrap()
 }

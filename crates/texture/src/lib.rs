@@ -18,7 +18,6 @@ mod layer;
 mod limits;
 mod map;
 mod matching;
-mod plan;
 mod raster;
 mod sampling;
 mod subject;
@@ -28,7 +27,6 @@ pub use bake::{Texture, texture};
 pub use blend::Shares;
 pub use error::TextureError;
 pub use limits::{MAX_SHOTS, SIDES_PX};
-pub use plan::Plan;
 pub use raster::{Span, spans};
 pub use subject::{Eye, Shot, Subject};
 

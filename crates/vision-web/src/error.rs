@@ -1,8 +1,17 @@
 //! Errors for JavaScript: `Error` objects with a stable `code` and a `hint`.
 
 use js_sys::{Error, Reflect};
+use rosto_export::{ExportError, ReopenError, SolidError};
+use rosto_face::FaceError;
 use rosto_landmarks::LandmarksError;
 use rosto_photo::PhotoError;
+use wasm_bindgen::JsValue;
+
+/// Result type of the façade's methods.
+pub(crate) type Result<T> = std::result::Result<T, Error>;
+
+const ANOTHER_VERSION: &str = "other-version";
+const ANOTHER_VERSION_HINT: &str = "Reload the page to get its newest version, or open the photo instead.";
 
 /// Converts an error of the photo.
 pub(crate) fn of_photo(error: PhotoError) -> Error {
@@ -27,6 +36,67 @@ pub(crate) fn of_landmarks(error: LandmarksError) -> Error {
     }
 }
 
+/// Converts an error of a GLB that cannot be reopened.
+pub(crate) fn of_glb(error: ReopenError) -> Error {
+    let (code, hint) = match error {
+        ReopenError::Foreign => ("foreign-glb", "Open a GLB that Rosto wrote, or a photo."),
+        _ if is_another_version(&error) => (ANOTHER_VERSION, ANOTHER_VERSION_HINT),
+        _ => ("damaged-glb", "Copy or download the file again, or open the photo."),
+    };
+    thrown(code, &error.to_string(), hint)
+}
+
+/// Converts an error of a project file that cannot be opened.
+pub(crate) fn of_project(error: ReopenError) -> Error {
+    let (code, hint) = match is_another_version(&error) {
+        true => (ANOTHER_VERSION, ANOTHER_VERSION_HINT),
+        false => ("bad-project", "The file may be incomplete. Open the photo instead."),
+    };
+    thrown(code, &error.to_string(), hint)
+}
+
+fn is_another_version(error: &ReopenError) -> bool {
+    matches!(error, ReopenError::Version { .. } | ReopenError::Face(FaceError::RecordVersion { .. }))
+}
+
+/// Converts an error of a request's face or file.
+pub(crate) fn of_request(error: rosto::Error) -> Error {
+    let message = error.to_string();
+    match error {
+        rosto::Error::Export(error) => of_export(&error),
+        rosto::Error::UnknownChoice { .. } | rosto::Error::Invalid { .. } => bad_choice(&message),
+        rosto::Error::Reopen(error) if is_another_version(&error) => {
+            thrown(ANOTHER_VERSION, &message, ANOTHER_VERSION_HINT)
+        }
+        rosto::Error::Face(_) => thrown("bad-face", &message, "Open the photo again."),
+        _ => thrown("bad-history", &message, "Open an earlier copy of the file, or the photo."),
+    }
+}
+
+fn of_export(error: &ExportError) -> Error {
+    let message = error.to_string();
+    match error {
+        ExportError::NoBody => thrown("surface-alone", &message, "Choose a thickness or a flat back."),
+        ExportError::Solid(SolidError::TooThick { most_m, .. }) => {
+            let thrown = thrown("too-thick", &message, "Choose a thinner wall, or a flat back.");
+            with(&thrown, "maxMm", &(1000.0 * most_m).into());
+            thrown
+        }
+        ExportError::Solid(_) => thrown("no-body", &message, "Choose another body, or undo the last edit."),
+        _ => thrown("cannot-export", &message, "Undo the last edit and try again."),
+    }
+}
+
+/// Converts `None`, the result of an unknown id, to an error.
+pub(crate) fn require<T>(value: Option<T>) -> Result<T> {
+    value.ok_or_else(|| bad_choice("unknown choice"))
+}
+
+/// An argument of another type, or an unknown id.
+pub(crate) fn bad_choice(message: &str) -> Error {
+    thrown("bad-choice", message, "Use the names and types in the module's declarations.")
+}
+
 /// An internal error.
 pub(crate) fn internal(message: &str) -> Error {
     thrown("internal", message, "Reload the page.")
@@ -34,8 +104,11 @@ pub(crate) fn internal(message: &str) -> Error {
 
 fn thrown(code: &str, message: &str, hint: &str) -> Error {
     let error = Error::new(message);
-    for (name, value) in [("code", code), ("hint", hint)] {
-        Reflect::set(&error, &name.into(), &value.into()).expect("invariant: a new Error takes properties");
-    }
+    with(&error, "code", &code.into());
+    with(&error, "hint", &hint.into());
     error
+}
+
+fn with(error: &Error, name: &str, value: &JsValue) {
+    Reflect::set(error, &name.into(), value).expect("invariant: a new Error takes properties");
 }

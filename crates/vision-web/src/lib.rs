@@ -1,18 +1,19 @@
-//! Façade of the worker: takes a photo's bytes and returns faces and an upright picture.
+//! Façade of the worker: everything with pixels and files. It opens photos and saved faces, keeps their pictures, bakes
+//! the texture, writes files, and follows a face in a camera stream.
 //!
 //! Errors are thrown as `Error` with a stable `code`, a `hint` and a `message`. A panic is a bug and traps; the page
 //! then restarts the worker.
 
 mod error;
-mod found;
+mod file_options;
 mod limits;
+mod messages;
+mod opened;
+mod pictures;
 mod progress;
-mod texture_maker;
 mod vision;
-mod warped;
 
-pub use found::Found;
+pub use file_options::FileOptions;
 pub use limits::{check_length, check_size};
-pub use texture_maker::TextureMaker;
+pub use messages::{FaceRequest, OpenedFace, OpenedFile, OpenedKind, RawPicture, SolidFacts, WrittenFile};
 pub use vision::Vision;
-pub use warped::Warped;

@@ -3,9 +3,16 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(target_arch = "wasm32")]
 
-use js_sys::{Array, Error, Function, Reflect};
-use rosto_vision_web::{Found, Vision};
-use serde_json::Value;
+#[path = "../../../tests/page_request.rs"]
+mod request;
+
+use js_sys::{Array, Error, Function, Object, Reflect};
+use rosto::SavedFace;
+use rosto_vision_web::{FaceRequest, FileOptions, Vision};
+use serde::Serialize;
+use serde_json::{Value, json};
+use tsify::Ts;
+use tsify::serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -18,11 +25,58 @@ const PORTRAIT: &[u8] = include_bytes!("../../../web/assets/sample.png");
 const GOLDEN: &str = include_str!("../../../tests/golden/refined_landmarks.json");
 
 fn vision() -> Vision {
-    Vision::new(DETECTOR, LANDMARKS).unwrap()
+    let mut vision = Vision::new();
+    vision.load_networks(DETECTOR, LANDMARKS).unwrap();
+    vision
 }
 
-fn find(bytes: &[u8]) -> Result<Found, Error> {
-    vision().find(bytes, 1, &Function::new_no_args(""), None)
+/// Opens a file as "file".
+fn open(vision: &mut Vision, bytes: &[u8]) -> Result<Value, Error> {
+    let opened = vision.open("file", bytes, 1, &Function::new_no_args(""), None)?;
+    Ok(value(&opened.into()))
+}
+
+/// The face of an opened file with one face.
+fn face(opened: &Value) -> &Value {
+    let faces = opened["faces"].as_array().unwrap();
+    assert_eq!(faces.len(), 1);
+    &faces[0]
+}
+
+/// The landmarks of an opened face.
+fn landmarks(face: &Value) -> Vec<[f32; 3]> {
+    SavedFace::from_json(face["photos"].as_str().unwrap(), None).unwrap().photos.remove(0).landmarks
+}
+
+/// A plain object as JSON; typed arrays are left out.
+fn value(object: &JsValue) -> Value {
+    serde_json::from_str(&String::from(js_sys::JSON::stringify(object).unwrap())).unwrap()
+}
+
+fn object(value: &Value) -> JsValue {
+    value.serialize(&Serializer::json_compatible()).unwrap()
+}
+
+/// A request of an opened face, with these edits.
+fn request(face: &Value, edits: Option<&str>) -> Ts<FaceRequest> {
+    let edits = edits.map_or(Value::Null, Value::from);
+    Ts::new_unchecked(object(&json!({"photos": face["photos"], "edits": edits, "pictures": face["pictures"]})))
+}
+
+fn options(options: Value) -> Ts<FileOptions> {
+    Ts::new_unchecked(object(&options))
+}
+
+fn bytes(written: &JsValue) -> Vec<u8> {
+    js_sys::Uint8Array::new(&Reflect::get(written, &"bytes".into()).unwrap()).to_vec()
+}
+
+/// Width, height and RGBA pixels of a picture.
+fn pixels(picture: &JsValue) -> (u32, u32, Vec<u8>) {
+    let side = |name: &str| Reflect::get(picture, &name.into()).unwrap().as_f64().unwrap() as u32;
+    let rgba = Reflect::get(picture, &"rgba".into()).unwrap();
+    assert!(rgba.is_instance_of::<js_sys::Uint8ClampedArray>());
+    (side("width"), side("height"), js_sys::Uint8Array::new(&rgba).to_vec())
 }
 
 /// A property of a thrown error.
@@ -32,31 +86,142 @@ fn property(error: &Error, name: &str) -> String {
 
 #[wasm_bindgen_test]
 fn landmarks_and_irises_of_the_portrait_are_close_to_mediapipe() {
-    let found = find(PORTRAIT).unwrap();
-    assert_eq!((found.width(), found.height(), found.face_count()), (512, 512, 1));
+    let opened = open(&mut vision(), PORTRAIT).unwrap();
+    let face = face(&opened);
+    assert_eq!((&opened["kind"], &face["sizePx"], &face["lead"]), (&json!("photo"), &json!([512, 512]), &json!(0)));
     let golden: Value = serde_json::from_str(GOLDEN).unwrap();
     let expected_px = golden["portrait"]["faces"][0].as_array().unwrap().iter().map(|n| n.as_f64().unwrap() / 1000.0);
-    let landmarks = found.landmarks(0);
-    assert_eq!(landmarks.len(), 478 * 3);
-    let off_px: f64 =
-        landmarks.iter().zip(expected_px).map(|(&found, expected)| (f64::from(found) * 512.0 - expected).abs()).sum();
+    let landmarks = landmarks(face);
+    assert_eq!(landmarks.len(), 478);
+    let off_px: f64 = landmarks
+        .as_flattened()
+        .iter()
+        .zip(expected_px)
+        .map(|(&found, expected)| (f64::from(found) * 512.0 - expected).abs())
+        .sum();
     // Additional passes refine MediaPipe's single pass slightly.
     assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in total");
-    assert!(!found.is_doubtful(0) && found.is_doubtful(1));
+    assert_eq!(face["isDoubtful"], false);
+    let points: Vec<f32> = face["points"].as_array().unwrap().iter().map(|n| n.as_f64().unwrap() as f32).collect();
+    assert_eq!(points, landmarks.iter().flat_map(|&[x, y, _]| [x, y]).collect::<Vec<_>>());
+    let [left, top, width, height] = [0, 1, 2, 3].map(|part| face["box"][part].as_f64().unwrap() as f32);
+    let is_inside = |&[x, y]: &[f32; 2]| (left..=left + width).contains(&x) && (top..=top + height).contains(&y);
+    assert!(points.as_chunks().0.iter().filter(|point| is_inside(point)).count() > 470);
 }
 
 #[wasm_bindgen_test]
 fn colours_are_those_of_the_pixels_at_the_landmarks() {
-    let mut found = find(PORTRAIT).unwrap();
-    let (landmarks, colours) = (found.landmarks(0), found.colours(0));
-    let picture = found.take_picture();
-    assert_eq!((found.picture_width(), found.picture_height(), picture.len()), (512, 512, 512 * 512 * 4));
-    for vertex in 0..468 {
-        let [x, y] = [0, 1].map(|axis| (landmarks[3 * vertex + axis] * 512.0) as usize);
+    let mut vision = vision();
+    let opened = open(&mut vision, PORTRAIT).unwrap();
+    let face = face(&opened);
+    let observation = SavedFace::from_json(face["photos"].as_str().unwrap(), None).unwrap().photos.remove(0);
+    let (width, height, picture) = pixels(&vision.picture("file/0").unwrap().into());
+    assert_eq!((width, height, picture.len()), (512, 512, 512 * 512 * 4));
+    for (landmark, colour) in observation.landmarks.iter().zip(&observation.colours_srgb) {
+        let [x, y] = [0, 1].map(|axis| (landmark[axis] * 512.0) as usize);
         let pixel = 4 * (y * 512 + x);
-        assert_eq!(colours[3 * vertex..3 * vertex + 3], picture[pixel..pixel + 3], "landmark {vertex}");
+        assert_eq!(picture[pixel..pixel + 4], [colour[0], colour[1], colour[2], 255]);
     }
-    assert!(found.take_picture().is_empty());
+}
+
+#[wasm_bindgen_test]
+fn an_edited_face_reopens_from_its_glb_and_project() {
+    let mut vision = vision();
+    let opened = open(&mut vision, PORTRAIT).unwrap();
+    let found = face(&opened).clone();
+    let edited = || request(&found, Some(request::EDITS));
+    let glb = vision.write(edited(), "glb", options(json!({"texture-size": "1024"})), "portrait").unwrap().into();
+    assert_eq!(value(&glb)["extension"], "glb");
+    assert_eq!(value(&glb)["mediaType"], "model/gltf-binary");
+    for file in [bytes(&glb), vision.write_project(edited()).unwrap()] {
+        let reopened = open(&mut Vision::new(), &file).unwrap();
+        assert_eq!((&reopened["kind"], &reopened["changedElsewhere"]), (&json!("saved"), &json!(false)));
+        let face = face(&reopened);
+        assert_eq!(face["photos"], found["photos"]);
+        assert_eq!(face["edits"], request::EDITS);
+    }
+}
+
+#[wasm_bindgen_test]
+fn the_glb_of_a_request_has_the_librarys_bytes() {
+    let mut vision = Vision::new();
+    vision.keep("photo", request::PICTURE, None).unwrap();
+    let photos = SavedFace { photos: vec![request::observation()], edits: None }.photos_json();
+    let face = json!({"photos": photos, "pictures": ["photo/0"]});
+    let chosen = options(json!({"base-colour": "photo", "expressions": "morph-targets"}));
+    let glb = bytes(&vision.write(request(&face, Some(request::EDITS)), "glb", chosen, "face").unwrap().into());
+    assert_eq!(request::fnv1a(&glb), request::GLB_FNV1A, "{} bytes", glb.len());
+}
+
+#[wasm_bindgen_test]
+fn a_texture_is_made_once_for_the_same_photos_and_size() {
+    let mut vision = vision();
+    let opened = open(&mut vision, PORTRAIT).unwrap();
+    let face = face(&opened);
+    let mut texture = |edits| pixels(&vision.texture(request(face, edits), "1024").unwrap().into());
+    let first = texture(None);
+    assert_eq!((first.0, first.1), (1024, 1024));
+    assert_eq!(texture(Some(request::EDITS)), first, "edits do not change it");
+}
+
+#[wasm_bindgen_test]
+fn an_edited_photo_has_the_photos_size_and_other_pixels() {
+    let mut vision = vision();
+    let opened = open(&mut vision, PORTRAIT).unwrap();
+    let face = face(&opened);
+    let original = pixels(&vision.picture("file/0").unwrap().into());
+    let edited = |edits| pixels(&vision.edited_photo(request(face, edits), PORTRAIT, 0.35).unwrap().into());
+    assert!(edited(None) == original);
+    let edited = edited(Some(request::EDITS));
+    assert_eq!((edited.0, edited.1), (original.0, original.1));
+    assert!(edited.2 != original.2);
+}
+
+#[wasm_bindgen_test]
+fn a_body_is_measured_and_its_limits_are_reported() {
+    let mut vision = vision();
+    let opened = open(&mut vision, PORTRAIT).unwrap();
+    let face = face(&opened);
+    let facts = vision.solid_facts(request(face, None), options(json!({"solid": "flat:3"}))).unwrap().unwrap();
+    let facts = value(&facts.into());
+    assert!(facts["volumeCm3"].as_f64().unwrap() > 50.0 && facts["plaGrams"].as_f64().unwrap() > 60.0, "{facts}");
+    assert!(vision.solid_facts(request(face, None), options(json!({"solid": "surface"}))).unwrap().is_none());
+    let thick = vision.solid_facts(request(face, None), options(json!({"solid": "thickness:50"}))).err().unwrap();
+    assert_eq!(property(&thick, "code"), "too-thick");
+    assert!(Reflect::get(&thick, &"maxMm".into()).unwrap().as_f64().unwrap() > 1.0);
+}
+
+#[wasm_bindgen_test]
+fn the_pictures_of_the_last_six_files_are_kept() {
+    let mut vision = Vision::new();
+    for key in ["a", "b", "c", "d", "e", "f"] {
+        vision.keep(key, PORTRAIT, None).unwrap();
+    }
+    vision.picture("a/0").unwrap();
+    vision.keep("g", PORTRAIT, None).unwrap();
+    assert!(vision.has("a/0") && vision.has("g/0") && !vision.has("b/0"));
+    assert!(!vision.has("a/1") && !vision.has("a"));
+}
+
+#[wasm_bindgen_test]
+fn wrong_requests_throw_a_code() {
+    let mut vision = vision();
+    let opened = open(&mut vision, PORTRAIT).unwrap();
+    let face = face(&opened);
+    let code = |error: Option<Error>| property(&error.unwrap(), "code");
+    let mut write = |face: Ts<FaceRequest>, format: &str, chosen: Value| {
+        code(vision.write(face, format, options(chosen), "face").err())
+    };
+    assert_eq!(write(request(face, None), "doc", json!({})), "bad-choice");
+    assert_eq!(write(request(face, None), "glb", json!({"eyes": "glass"})), "bad-choice");
+    assert_eq!(write(request(face, Some("{}")), "glb", json!({})), "bad-history");
+    assert_eq!(write(request(face, None), "3mf", json!({"solid": "surface"})), "surface-alone");
+    assert_eq!(write(Ts::new_unchecked(Object::new().into()), "glb", json!({})), "bad-choice");
+    let lost = json!({"photos": face["photos"], "pictures": ["lost/0"]});
+    assert_eq!(write(request(&lost, None), "glb", json!({})), "internal");
+    assert_eq!(code(open(&mut Vision::new(), PORTRAIT).err()), "internal");
+    assert_eq!(code(open(&mut Vision::new(), b"glTF").err()), "damaged-glb");
+    assert_eq!(code(open(&mut Vision::new(), b"{\"format\":\"rosto-project\"}").err()), "bad-project");
 }
 
 #[wasm_bindgen_test]
@@ -68,7 +233,7 @@ fn progress_reports_the_stages_in_order() {
             received.push(&Array::of2(&stage.into(), &fraction.into()));
         })
     };
-    vision().find(PORTRAIT, 1, on_progress.as_ref().unchecked_ref(), None).unwrap();
+    vision().open("file", PORTRAIT, 1, on_progress.as_ref().unchecked_ref(), None).unwrap();
     let reports: Vec<(String, f64)> = received.iter().map(|report| stage_and_fraction(&report.into())).collect();
     let bars: Vec<f64> = reports.iter().map(|(_, fraction)| *fraction).collect();
     let mut stages: Vec<&str> = reports.iter().map(|(stage, _)| stage.as_str()).collect();
@@ -83,18 +248,22 @@ fn stage_and_fraction(report: &Array) -> (String, f64) {
 
 /// The portrait's pixels as a browser delivers them, and its size.
 fn frame() -> (Vec<u8>, u32, u32) {
-    let mut found = find(PORTRAIT).unwrap();
-    (found.take_picture(), found.picture_width(), found.picture_height())
+    let mut vision = Vision::new();
+    vision.keep("file", PORTRAIT, None).unwrap();
+    let (width, height, rgba) = pixels(&vision.picture("file/0").unwrap().into());
+    (rgba, width, height)
 }
 
 #[wasm_bindgen_test]
 fn a_followed_face_matches_the_one_found() {
     let (rgba, width, height) = frame();
-    let (photo, mut vision) = (find(PORTRAIT).unwrap().landmarks(0), vision());
+    let mut vision = vision();
+    let opened = open(&mut vision, PORTRAIT).unwrap();
+    let photo = landmarks(face(&opened));
     for time_ms in [0.0, 33.0, 66.0] {
         let landmarks = vision.follow(&rgba, width, height, time_ms).unwrap().unwrap();
         assert_eq!(landmarks.len(), 478 * 3);
-        let off_px: f32 = landmarks.iter().zip(&photo).map(|(a, b)| (a - b).abs() * 512.0).sum();
+        let off_px: f32 = landmarks.iter().zip(photo.as_flattened()).map(|(a, b)| (a - b).abs() * 512.0).sum();
         assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in total at {time_ms} ms");
     }
 }
@@ -118,7 +287,7 @@ fn a_truncated_frame_throws() {
 
 #[wasm_bindgen_test]
 fn errors_have_a_code_a_message_and_a_hint() {
-    let error = find(b"only words").err().unwrap();
+    let error = open(&mut Vision::new(), b"only words").err().unwrap();
     assert!(error.is_instance_of::<Error>());
     assert_eq!(property(&error, "code"), "not-a-picture");
     assert!(!property(&error, "message").is_empty());
@@ -135,7 +304,7 @@ fn errors_of_photos_have_distinct_codes() {
         (b"\0\0\0\x18ftypheic\0\0\0\0", "unsupported-format"),
     ];
     for (bytes, code) in cases {
-        assert_eq!(property(&find(bytes).err().unwrap(), "code"), code);
+        assert_eq!(property(&open(&mut Vision::new(), bytes).err().unwrap(), "code"), code);
     }
 }
 
@@ -147,7 +316,7 @@ fn damaged_networks_throw() {
         infinite[at..at + 2].fill(0x7C);
     }
     for (detector, landmarks) in [(&DETECTOR[..1000], LANDMARKS), (DETECTOR, &infinite)] {
-        let error = Vision::new(detector, landmarks).err().unwrap();
+        let error = Vision::new().load_networks(detector, landmarks).err().unwrap();
         assert_eq!(property(&error, "code"), "networks-damaged");
     }
 }

@@ -2,8 +2,9 @@
 
 use std::sync::LazyLock;
 
-use rosto_export::{Reopened, reopen, sniff};
-use rosto_face::{FaceInput, FaceModel};
+use rosto::PhotoEdit;
+use rosto_export::{Reopened, SavedFace, reopen, sniff};
+use rosto_face::{FaceModel, MAX_PICTURE_SIDE_PX};
 use rosto_photo::{Limits, Photo, decode};
 use rosto_studio::{Document, Rest, project};
 
@@ -47,27 +48,26 @@ pub fn edits(bytes: &[u8]) -> bool {
     std::str::from_utf8(bytes).is_ok_and(|text| history(text, REST.clone()))
 }
 
-fn face(opened: &Reopened<'_>) -> bool {
-    assert!(opened.density <= 4);
-    let Some(picture) = texture(opened) else { return false };
-    let [width, height] = opened.photo_size_px;
-    let (landmarks, colours) = (&opened.landmarks, &opened.colours_srgb);
-    let input = FaceInput { landmarks, width, height, colours, picture, lens: opened.lens };
-    let Ok(model) = FaceModel::new(input, opened.triangulation) else { return false };
+fn face(opened: &Reopened) -> bool {
+    let SavedFace { photos, edits } = &opened.face;
+    assert!(photos.iter().all(|photo| photo.picture.as_ref().is_some_and(is_small)), "a photo without a small picture");
+    let edits = edits.as_ref().expect("invariant: a file has edits");
+    assert!(edits.density <= 4);
+    let texts = (opened.face.photos_json(), edits.to_json().expect("invariant: the edits were read from JSON"));
+    let again = SavedFace::from_json(&texts.0, Some(&texts.1)).map(|again| (again.photos_json(), again.edits));
+    assert_eq!(again, Ok((texts.0, Some(edits.clone()))), "a face changes as texts");
+    if let Some(photo_edit) = &edits.photo_edit
+        && let Ok(photo_edit) = PhotoEdit::from_json(photo_edit)
+    {
+        assert_eq!(PhotoEdit::from_json(&photo_edit.to_json()), Ok(photo_edit));
+    }
+    let Ok(model) = FaceModel::from_photos(photos.clone(), edits.triangulation) else { return false };
     assert!(model.positions_m().iter().all(|position| position.is_finite()), "a face with an infinite position");
-    opened.history.as_ref().is_none_or(|text| history(text, Rest::of_face(&model)))
+    edits.history.as_ref().is_none_or(|text| history(text, Rest::of_face(&model)))
 }
 
-fn texture(opened: &Reopened<'_>) -> Option<Photo> {
-    let painted = opened.painted();
-    assert!(painted.rgba.len() <= 4 * 2048 * 2048);
-    let Some(texture) = &opened.texture else {
-        let rgb = painted.rgba.as_chunks::<4>().0.iter().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]);
-        return Photo::from_rgb(painted.width, painted.height, rgb.collect()).ok();
-    };
-    let mut sides = texture.picture_size_px.into_iter().chain(texture.size_px);
-    assert!(sides.all(|side| (1..=8192).contains(&side)) && !texture.encoded.is_empty());
-    decode(&texture.encoded, &LIMITS).ok()
+fn is_small(picture: &Photo) -> bool {
+    picture.width().max(picture.height()) <= MAX_PICTURE_SIDE_PX
 }
 
 fn history(text: &str, rest: Rest) -> bool {

@@ -4,11 +4,11 @@ import { asPageError } from "../page/page-error.js";
 import { FrameStats } from "./frame-stats.js";
 import { CameraStream } from "./camera-stream.js";
 import { LiveBar } from "./live-bar.js";
+import { withoutPhotoEdit } from "../work/face.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
  * @typedef {import("../worker/protocol.js").FollowedFrame} FollowedFrame
- * @typedef {import("../work/work.js").EditState} EditState
  *
  * @typedef {object} Context
  * @property {Promise<Host | undefined>} host
@@ -88,8 +88,8 @@ class LivePreview {
     this.#opened += 1;
     this.#opener = document.activeElement;
     this.#sceneBefore = document.body.dataset["scene"] ?? "solid";
-    this.#host.act((studio) => studio.setBrush(undefined));
-    this.#host.act((studio) => studio.choose("scene", "picture"));
+    this.#host.apply({ brush: undefined });
+    this.#host.apply({ scene: "picture" });
     this.#state = "live";
     this.#bar.show(true);
     this.#write();
@@ -102,8 +102,7 @@ class LivePreview {
     this.#state = "closed";
     this.#stop();
     this.#host.act((studio) => studio.endLivePreview());
-    const scene = this.#sceneBefore;
-    this.#host.act((studio) => studio.choose("scene", scene));
+    this.#host.apply({ scene: this.#sceneBefore });
     this.#bar.show(false);
     if (this.#opener instanceof HTMLElement && this.#opener.checkVisibility()) this.#opener.focus();
   }
@@ -168,7 +167,7 @@ class LivePreview {
   #show({ frame, landmarks, took_ms, width_px, height_px }, number) {
     const begun_ms = performance.now();
     try {
-      this.#host.attempt((studio) => studio.previewFrame(frame, landmarks));
+      this.#host.perform((studio) => studio.previewFrame(frame, landmarks));
     } catch (error) {
       // No face is open during a restart; later frames find one.
       if (!["no-face", "internal"].includes(asPageError(error).code)) this.#host.fail(error);
@@ -188,7 +187,7 @@ class LivePreview {
     try {
       const photo = await photoOf(frame);
       if (this.#state !== "live" || opened !== this.#opened) return;
-      await this.#opening.openFrame(photo);
+      await this.#opening.openFile(photo, "selfie");
       // The error is already shown.
       if (document.body.dataset["state"] !== "face" && opened === this.#opened) this.close();
     } finally {
@@ -201,26 +200,24 @@ class LivePreview {
     const frame = this.#shown;
     if (!frame || !this.#hasFace || this.#isReading) return;
     const opened = this.#opened;
-    const edits = this.#editState();
+    const edits = this.#edits();
     this.#isReading = true;
     try {
       const photo = await photoOf(frame);
       if (this.#state !== "live" || opened !== this.#opened) return;
       this.#sceneBefore = document.body.dataset["scene"] ?? "solid";
       this.close();
-      await this.#opening.openFrame(photo, edits);
+      await this.#opening.openFile(photo, "selfie", edits);
     } finally {
       this.#isReading = false;
     }
   }
 
-  /** Edits of the open face. @returns {EditState | undefined} */
-  #editState() {
-    this.#host.act((studio) => studio.commit());
-    return this.#host.read((state, studio) => {
-      const [triangulation = "", density = "0"] = ["triangulation", "density"].map((choice) => state.chosen(choice));
-      return { edits: studio.editsJson(), triangulation, density: Number(density) };
-    });
+  /** Edits of the open face, without those of its photo. */
+  #edits() {
+    this.#host.apply("commit");
+    const { edits } = this.#opening.remember() ?? {};
+    return edits === undefined ? undefined : withoutPhotoEdit(edits);
   }
 
   /**

@@ -63,7 +63,7 @@ export function chosenColour(input) {
 /**
  * Formats a colour for a colour input.
  *
- * @param {Uint8Array} channels 0 to 255 each
+ * @param {Iterable<number>} channels 0 to 255 each
  */
 export function hex(channels) {
   return `#${[...channels].map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;

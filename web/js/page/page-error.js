@@ -5,14 +5,13 @@
  *
  * @param {unknown} thrown
  * @param {string} [code] used if the value has none
- * @param {string} [code] for what brings none
  * @returns {PageError}
  */
 export function asPageError(thrown, code = "other") {
   // DOMException has numeric codes.
   if (typeof thrown === "object" && thrown !== null && "code" in thrown && typeof thrown.code === "string") {
-    const { message = "", hint = "" } = /** @type {Partial<PageError>} */ (thrown);
-    return { code: thrown.code, message, hint };
+    const { message = "", hint = "", maxMm } = /** @type {Partial<PageError>} */ (thrown);
+    return { code: thrown.code, message, hint, ...(maxMm !== undefined && { maxMm }) };
   }
   return { code, message: String(thrown), hint: "" };
 }

@@ -17,18 +17,18 @@ const CUSTOM = "custom";
 export function setUpChoices(host) {
   for (const element of document.querySelectorAll("[data-choice]")) {
     const choice = element.getAttribute("data-choice") ?? "";
-    const ids = host.answer((studio) => studio.choices(choice));
+    const ids = host.catalogue.choices[choice] ?? [];
     const control = element instanceof HTMLSelectElement ? listOf(element) : groupOf(/** @type {HTMLElement} */ (element), choice);
     const explain = () => showHelp(choice, control.chosen());
     control.offer(ids);
     element.addEventListener("change", async () => {
       const id = control.chosen();
       if (isSlow(choice, id)) await announcePreparing();
-      host.act((studio) => studio.choose(choice, id));
+      host.apply(choosing(choice, id));
       explain();
     });
     host.onChange((state) => {
-      control.show(state.chosen(choice) ?? "");
+      control.show(state.chosen[choice] ?? "");
       explain();
     });
     onLocaleChange(() => {
@@ -36,6 +36,16 @@ export function setUpChoices(host) {
       explain();
     });
   }
+}
+
+/**
+ * The intent that sets a choice to the value with an id.
+ *
+ * @param {string} choice
+ * @param {string} id
+ */
+function choosing(choice, id) {
+  return /** @type {import("../viewport/host.js").Intent} */ ({ [choice]: id });
 }
 
 /**

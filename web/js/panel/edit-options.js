@@ -3,7 +3,7 @@ import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../viewport/host.js").StudioState} StudioState
+ * @typedef {import("../viewport/host.js").State} State
  */
 
 /** The options of an edit that are not lists: symmetry, influence radius, pins and marks. */
@@ -19,21 +19,20 @@ export class EditOptions {
   constructor(host) {
     this.#host = host;
     this.#radius = this.#makeRadius();
-    this.#mirror.addEventListener("change", () => host.act((studio) => studio.setMirror(this.#mirror.checked)));
-    this.#nearby.addEventListener("change", () => host.act((studio) => studio.setNearby(this.#nearby.checked)));
-    this.#pinned.addEventListener("change", () => host.act((studio) => studio.setPinned(this.#pinned.checked)));
-    this.#anchorsMarked.addEventListener("change", () => host.act((studio) => studio.setAnchorsMarked(this.#anchorsMarked.checked)));
+    this.#mirror.addEventListener("change", () => host.apply({ mirror: this.#mirror.checked }));
+    this.#nearby.addEventListener("change", () => host.apply({ nearby: this.#nearby.checked }));
+    this.#pinned.addEventListener("change", () => host.apply({ pin: this.#pinned.checked }));
+    this.#anchorsMarked.addEventListener("change", () => host.apply({ "mark-anchors": this.#anchorsMarked.checked }));
     host.onChange((state) => this.#show(state));
   }
 
   #makeRadius() {
-    const apply = () => this.#host.act((studio) => studio.setRadius(this.#radius.value));
-    const { min, max, step, neutral } = this.#host.answer((studio) => studio.radiusRange);
+    const apply = () => this.#host.apply({ radius: this.#radius.value });
     const radius = new Slider({
       label: "edit.radius",
       longLabel: "edit.radius.long",
       unit: "mm",
-      ...{ min, max, step, neutral },
+      ...this.#host.catalogue.radius,
       onInput: apply,
       onCommit: apply,
       onCancel: () => {},
@@ -42,8 +41,8 @@ export class EditOptions {
     return radius;
   }
 
-  /** @param {StudioState} state */
-  #show({ mirror, nearby, radiusMm, pinned, selected, canMirror, anchorsMarked }) {
+  /** @param {State} state */
+  #show({ mirror, nearby, radiusMm, isPinned, selected, canMirror, anchorsMarked }) {
     this.#anchorsMarked.checked = anchorsMarked;
     this.#mirror.checked = mirror;
     this.#mirror.disabled = !canMirror;
@@ -52,6 +51,6 @@ export class EditOptions {
     byId("radius", HTMLDivElement).hidden = !nearby;
     this.#radius.value = radiusMm;
     this.#pinned.disabled = selected === undefined;
-    this.#pinned.checked = pinned;
+    this.#pinned.checked = isPinned;
   }
 }

@@ -1,7 +1,6 @@
 import { byId } from "../page/dom.js";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";
 import { chosen, fileChoices } from "./file-choices.js";
-import { withFileChoices } from "../work/exported-file.js";
 import { formatBytes } from "./verdict-line.js";
 
 /** @typedef {import("../viewport/host.js").Host} Host */
@@ -40,7 +39,7 @@ export class ExportFacts {
   }
 
   #write() {
-    const counts = this.#host.read((state, studio) => (state.vertexCount > 0 ? withFileChoices(fileChoices(), (choices) => studio.meshCounts(FORMAT, choices)) : undefined));
+    const counts = this.#host.read((state, studio) => (state.vertexCount > 0 ? studio.meshCounts(fileChoices()["eyes"] ?? "skin") : undefined));
     if (!counts) return;
     const [points = 0, triangles = 0] = counts;
     byId("export-name", HTMLSpanElement).textContent = this.#nameOf(FORMAT);
@@ -51,7 +50,7 @@ export class ExportFacts {
 
   /** Describes the texture or vertex colours of the file. */
   #paint() {
-    const most = this.#host.read((state) => state.chosen("texture-size")) ?? "";
+    const most = this.#host.read((state) => state.chosen["texture-size"]) ?? "";
     const side = this.#host.read((_, studio) => studio.textureSidePx) ?? "";
     const key = /** @type {const} */ ({ whole: "export.paint.whole", photo: "export.paint.photo", colours: "export.paint.colours" });
     return t(key[/** @type {keyof typeof key} */ (chosen("base-colour"))], { side: String(side), most });

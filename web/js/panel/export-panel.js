@@ -1,15 +1,11 @@
 import { byId, make, onAction } from "../page/dom.js";
 import { download } from "../page/download.js";
-import { afterNextFrame } from "../page/tasks.js";
 import { toast } from "../page/toast.js";
 import { setUpArLink } from "../share/ar-link.js";
 import { canSend, send } from "../share/send.js";
 import { canCopyPictures, copyPicture, viewPicture } from "../share/view-picture.js";
-import { studioModule } from "../viewport/studio-module.js";
 import { onLocaleChange, isWord, t } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
-import { pngOf } from "../work/pixels.js";
-import { withFileChoices, exportedFile } from "../work/exported-file.js";
 import { ExportFacts } from "./export-facts.js";
 import { fileChoices, isChecked, printChoices } from "./file-choices.js";
 import { PrintPanel } from "./print-panel.js";
@@ -17,39 +13,42 @@ import { VerdictLine } from "./verdict-line.js";
 
 /**
  * @typedef {import("../page/validator.js").Validator} Validator
- * @typedef {import("../viewport/whole-texture.js").WholeTexture} WholeTexture
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../work/autosave.js").Autosave} Autosave
+ * @typedef {import("../opening.js").Opening} Opening
  * @typedef {(format: string) => Promise<File>} MakeFile
  */
+
+const GLB_TYPE = "model/gltf-binary";
 
 /**
  * Sets up the export tab: mesh files, printing, AR, projects and pictures.
  *
  * @param {Host} host
- * @param {Autosave} autosave
+ * @param {Opening} opening
  * @param {Validator} validator
- * @param {WholeTexture} texture
+ * @param {import("../work/face-files.js").FaceFiles} files
  */
-export function setUpExportPanel(host, autosave, validator, texture) {
+export function setUpExportPanel(host, opening, validator, files) {
   const showError = (/** @type {unknown} */ error) => host.fail(error);
-  const [plain, printed] = host.answer((studio) => [studio.plainFormats, studio.printedFormats]);
+  const { formats } = host.catalogue;
+  const plain = formats.filter(({ isPlain }) => isPlain).map(({ id }) => id);
+  const printed = formats.filter(({ isPrinted }) => isPrinted).map(({ id }) => id);
+  const nameOf = (/** @type {string} */ extension) => meshName(host, opening, extension);
   const makeFile = async (/** @type {string} */ format) => {
-    const { extension, type } = fileType(host, format);
     const chosen = printed.includes(format) ? printChoices() : fileChoices();
-    const bytes = await exportedFile(host, texture, format, chosen);
-    return new File([/** @type {BlobPart} */ (bytes)], meshName(host, autosave, extension), { type });
+    const { bytes, extension, mediaType } = await files.mesh(format, chosen);
+    return new File([bytes], nameOf(extension), { type: mediaType });
   };
   const saveAs = (/** @type {string} */ format) => makeFile(format).then(saveFile);
-  const nameOf = (/** @type {string} */ extension) => meshName(host, autosave, extension);
   offerGlb({ host, validator, makeFile, nameOf });
   offerFormats("plain", plain, (format) => saveAs(format).catch(showError));
-  const print = new PrintPanel(host);
+  const print = new PrintPanel(host, files);
   offerFormats("printed", printed, (format) => saveAs(format).catch((error) => print.showError(error)));
   setUpArLink(() => makeFile("usdz"), showError);
-  onAction("save-project", () => makeProject(host, autosave).then(saveFile, showError));
+  const makeProject = async () => new File([await files.project()], fileName(opening.face, "rosto"), { type: "application/octet-stream" });
+  onAction("save-project", () => makeProject().then(saveFile, showError));
   onAction("download-json", () => saveAs("json").catch(showError));
-  offerPicture(host, autosave);
+  offerPicture(host, opening);
 }
 
 /**
@@ -71,7 +70,7 @@ function offerGlb({ host, validator, makeFile, nameOf }) {
     const file = await check();
     if (file) saveFile(file);
   });
-  byId("share-glb", HTMLButtonElement).hidden = !canSend(host.answer((studio) => studio.mediaType("glb")), "face.glb");
+  byId("share-glb", HTMLButtonElement).hidden = !canSend(GLB_TYPE, "face.glb");
   const shareOrSave = async (/** @type {File} */ file) => (await send(file)) || saveFile(file);
   onAction("share-glb", () => make().then(shareOrSave).catch((error) => host.fail(error)));
 }
@@ -99,17 +98,6 @@ function offerFormats(kind, formats, saveAs) {
 }
 
 /**
- * File extension under the current options, and media type.
- *
- * @param {Host} host
- * @param {string} format
- */
-function fileType(host, format) {
-  const extension = withFileChoices(fileChoices(), (choices) => host.answer((studio) => studio.fileEnding(format, choices)));
-  return { extension, type: extension === "zip" ? "application/zip" : host.answer((studio) => studio.mediaType(format)) };
-}
-
-/**
  * Makes the GLB and shows the validator's verdict. Returns undefined on failure.
  *
  * @param {Host} host
@@ -120,8 +108,6 @@ function fileType(host, format) {
  */
 async function makeChecked(host, name, make, validator, line) {
   line.show({ file: name, outcome: "checking" });
-  // Lets the browser paint "checking" before the export blocks the page.
-  await afterNextFrame();
   try {
     const file = await make();
     const verdict = await validator.check(new Uint8Array(await file.arrayBuffer()));
@@ -136,37 +122,25 @@ async function makeChecked(host, name, make, validator, line) {
 
 /**
  * @param {Host} host
- * @param {Autosave} autosave
+ * @param {Opening} opening
  * @param {string} extension
  */
-function meshName(host, autosave, extension) {
-  const points = host.read((state) => (state.chosen("density") === String(studioModule().defaultDensity()) ? undefined : state.vertexCount));
-  return fileName(autosave.face, extension, points);
-}
-
-/**
- * @param {Host} host
- * @param {Autosave} autosave
- */
-async function makeProject(host, autosave) {
-  const { face } = autosave;
-  if (!face) throw { code: "no-face", message: "no face is open", hint: "" };
-  const png = new Uint8Array(await (await pngOf(face)).arrayBuffer());
-  const bytes = host.answer((studio) => studio.projectFile(png));
-  return new File([/** @type {BlobPart} */ (bytes)], fileName(face, "rosto"), { type: "application/octet-stream" });
+function meshName(host, opening, extension) {
+  const points = host.read((state) => (state.chosen["density"] === String(host.catalogue.defaultDensity) ? undefined : state.vertexCount));
+  return fileName(opening.face, extension, points);
 }
 
 /**
  * Sets up saving and copying the view as a picture.
  *
  * @param {Host} host
- * @param {Autosave} autosave
+ * @param {Opening} opening
  */
-function offerPicture(host, autosave) {
+function offerPicture(host, opening) {
   const showError = (/** @type {unknown} */ error) => host.fail(error);
   const picture = () => viewPicture(host, isChecked("picture-transparent"));
   onAction("download-picture", () => {
-    const name = fileName(autosave.face, "png");
+    const name = fileName(opening.face, "png");
     picture().then((png) => saveFile(new File([png], name, { type: png.type })), showError);
   });
   byId("copy-picture", HTMLButtonElement).hidden = !canCopyPictures();

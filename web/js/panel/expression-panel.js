@@ -6,8 +6,8 @@ import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../viewport/host.js").StudioState} StudioState
- * @typedef {import("../viewport/host.js").StudioTick} StudioTick
+ * @typedef {import("../viewport/host.js").State} State
+ * @typedef {import("../viewport/host.js").Tick} Tick
  */
 
 /** Facial areas, by prefix of the expression's id. */
@@ -25,23 +25,25 @@ const PER_CENT = 100;
 /** Expression sliders, grouped by facial area. */
 export class ExpressionPanel {
   #both = byId("expressions-both", HTMLInputElement);
-  #ids;
+  /** By the expression's id. @type {Map<string, Slider>} */
   #sliders;
   #host;
 
   /** @param {Host} host */
   constructor(host) {
     this.#host = host;
-    this.#ids = host.answer((studio) => studio.expressionIds);
-    this.#sliders = this.#ids.map((id) => this.#makeSlider(id));
+    this.#sliders = new Map(host.catalogue.expressions.map((id) => [id, this.#makeSlider(id)]));
     byId("expressions", HTMLDivElement).append(...AREAS.map(([area, prefix]) => this.#makeArea(area, prefix)));
-    this.#both.addEventListener("change", () => host.act((studio) => studio.setMirror(this.#both.checked)));
+    this.#both.addEventListener("change", () => host.apply({ mirror: this.#both.checked }));
     onAction("reset-expressions", () => {
-      host.act((studio) => studio.resetExpressions());
+      host.apply("reset-expressions");
       announce(t("expressions.rested"));
     });
-    host.onChange((state) => this.#showSides(state));
-    host.onTick((tick) => this.#show(tick));
+    host.onChange((state) => {
+      this.#showSides(state);
+      for (const [id, slider] of this.#sliders) slider.value = (state.weights[id] ?? 0) * PER_CENT;
+    });
+    host.onTick((tick) => this.#follow(tick));
   }
 
   /** @param {string} id */
@@ -55,12 +57,12 @@ export class ExpressionPanel {
       max: PER_CENT,
       step: 1,
       neutral: 0,
-      onInput: () => this.#host.act((studio) => studio.express(id, slider.value / PER_CENT)),
+      onInput: () => this.#host.apply({ express: [id, slider.value / PER_CENT] }),
       onCommit: () => {
-        this.#host.act((studio) => studio.commit());
+        this.#host.apply("commit");
         announce(t("expression.shown", { name: label(), n: formatNumber(slider.value, 0) }));
       },
-      onCancel: () => this.#host.act((studio) => studio.cancel()),
+      onCancel: () => this.#host.apply("cancel"),
     });
     slider.element.dataset["expression"] = id;
     return slider;
@@ -77,8 +79,8 @@ export class ExpressionPanel {
     const sliders = make("fieldset", "sliders stacked");
     const legend = make("legend", "visually-hidden");
     onLocaleChange(() => (title.textContent = legend.textContent = t(`expressions.${area}`)));
-    const areaSliders = this.#sliders.filter((_slider, place) => prefix.test(this.#ids[place] ?? ""));
-    sliders.append(legend, ...areaSliders.map((slider) => slider.element));
+    const areaSliders = [...this.#sliders].filter(([id]) => prefix.test(id));
+    sliders.append(legend, ...areaSliders.map(([, slider]) => slider.element));
     summary.append(title, makeIcon("fold"));
     const body = make("div", "more-body");
     body.append(sliders);
@@ -87,19 +89,21 @@ export class ExpressionPanel {
     return details;
   }
 
-  /** With symmetry on, one slider controls each pair. @param {StudioState} state */
+  /** With symmetry on, one slider controls each pair. @param {State} state */
   #showSides({ mirror }) {
     const was = this.#both.checked;
     this.#both.checked = mirror;
-    for (const [place, slider] of this.#sliders.entries()) {
-      const id = this.#ids[place] ?? "";
+    for (const [id, slider] of this.#sliders) {
       slider.element.hidden = mirror && id.endsWith("Right") && !SIDEWAYS.test(id);
       if (was !== mirror) slider.name();
     }
   }
 
-  /** @param {StudioTick} tick */
-  #show({ weights }) {
-    for (const [place, slider] of this.#sliders.entries()) slider.value = (weights[place] ?? 0) * PER_CENT;
+  /** @param {Tick} tick */
+  #follow({ expressions }) {
+    for (const [id, weight] of expressions) {
+      const slider = this.#sliders.get(id);
+      if (slider) slider.value = weight * PER_CENT;
+    }
   }
 }

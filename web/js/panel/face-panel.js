@@ -6,49 +6,45 @@ import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../viewport/host.js").StudioTick} StudioTick
+ * @typedef {import("../viewport/host.js").Tick} Tick
+ * @typedef {import("../../wasm/rosto-studio-web.js").Range} Range
  */
-
-const STEP_MM = 0.1;
 
 /** Proportion sliders and symmetry. */
 export class FacePanel {
+  /** By id. @type {Map<string, Slider>} */
   #sliders;
   #host;
 
   /** @param {Host} host */
   constructor(host) {
     this.#host = host;
-    this.#sliders = host.answer((studio) => studio.faceSliders).map((slider) => {
-      const { id, rangeMm } = slider;
-      slider.free();
-      return this.#makeSlider(id, rangeMm);
+    this.#sliders = new Map(host.catalogue.sliders.map(({ id, range }) => [id, this.#makeSlider(id, range)]));
+    byId("face-sliders", HTMLFieldSetElement).append(...[...this.#sliders.values()].map((slider) => slider.element));
+    host.onChange(({ slidersMm }) => {
+      for (const [id, slider] of this.#sliders) slider.value = slidersMm[id] ?? 0;
     });
-    byId("face-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
-    host.onTick((tick) => this.#show(tick));
+    host.onTick((tick) => this.#follow(tick));
     onAction("symmetrise", () => this.#symmetrise());
   }
 
   /**
    * @param {string} id
-   * @param {number} range_mm
+   * @param {Range} range in mm
    */
-  #makeSlider(id, range_mm) {
+  #makeSlider(id, range) {
     const label = () => idName("slider", id);
     const slider = new Slider({
       label,
       longLabel: () => t("face.slider.long", { name: label() }),
       unit: "mm",
-      min: -range_mm,
-      max: range_mm,
-      step: STEP_MM,
-      neutral: 0,
-      onInput: () => this.#host.act((studio) => studio.slide(id, slider.value)),
+      ...range,
+      onInput: () => this.#host.apply({ slide: [id, slider.value] }),
       onCommit: () => {
-        this.#host.act((studio) => studio.commit());
+        this.#host.apply("commit");
         announce(t("face.slid", { name: label(), mm: formatNumber(slider.value, 1) }));
       },
-      onCancel: () => this.#host.act((studio) => studio.cancel()),
+      onCancel: () => this.#host.apply("cancel"),
     });
     slider.element.dataset["slider"] = id;
     return slider;
@@ -57,12 +53,13 @@ export class FacePanel {
   #symmetrise() {
     const share = byId("symmetrise-share", HTMLInputElement);
     if (!share.reportValidity()) return;
-    this.#host.act((studio) => studio.symmetrise(share.valueAsNumber));
+    this.#host.apply({ symmetrise: share.valueAsNumber / 100 });
     announce(t("symmetrised", { n: share.value }));
   }
 
-  /** @param {StudioTick} tick */
-  #show({ slidersMm }) {
-    for (const [place, slider] of this.#sliders.entries()) slider.value = slidersMm[place] ?? 0;
+  /** @param {Tick} tick */
+  #follow({ slider: moved }) {
+    const slider = moved && this.#sliders.get(moved[0]);
+    if (slider) slider.value = moved[1];
   }
 }

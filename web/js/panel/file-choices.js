@@ -1,18 +1,9 @@
 import { byId } from "../page/dom.js";
 
-/**
- * File options chosen in the export tab.
- *
- */
+/** File options chosen in the export tab: the values of its checked inputs by option. @returns {Record<string, string>} */
 export function fileChoices() {
-  return {
-    "base-colour": chosen("base-colour"),
-    material: isChecked("export-unlit") ? "unlit" : "lit",
-    edits: isChecked("export-morphs") ? "morph-targets" : "shape",
-    expressions: isChecked("export-expressions") ? "morph-targets" : "shape",
-    eyes: isChecked("export-eyes") ? "pieces" : "skin",
-    units: chosen("export-units"),
-  };
+  const inputs = /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("[data-file-option]:checked"));
+  return Object.fromEntries([...inputs].map(({ dataset, value }) => [dataset["fileOption"] ?? "", value]));
 }
 
 /** File options plus print options. The studio rejects an invalid length. */

@@ -2,10 +2,7 @@ import { byId, onAction } from "../page/dom.js";
 import { t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
-/**
- * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../viewport/host.js").StudioState} StudioState
- */
+/** @typedef {import("../viewport/host.js").Host} Host */
 
 /** Selfies are not taken from closer; beyond the maximum, the change is not visible. */
 const SEEN_FROM_CM = { min: 20, max: 300, step: 1, neutral: 150 };
@@ -18,43 +15,45 @@ const MIN_LIMIT_SHARE = 0.006;
  * @param {Host} host
  */
 export function setUpInPhotoPanel(host) {
-  const seenFrom = slider(host, "in-photo-distance", { label: "in-photo.distance", longLabel: "in-photo.distance.long", unit: "cm", ...SEEN_FROM_CM }, (studio, cm) =>
-    studio.setSeenFrom(cm / 100),
-  );
-  const { min, max, step, neutral } = host.answer((studio) => studio.falloffBandRange);
-  const ring = slider(host, "in-photo-falloff-band", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent({ min, max, step, neutral }) }, (studio, share) =>
-    studio.setFalloffBand(share / 100),
-  );
-  onAction("seen-as-taken", () => host.act((studio) => studio.setSeenFrom()));
+  const seenFrom = slider(host, "in-photo-distance", { label: "in-photo.distance", longLabel: "in-photo.distance.long", unit: "cm", ...SEEN_FROM_CM }, (cm) => ({
+    "seen-from": cm / 100,
+  }));
+  const ring = slider(host, "in-photo-falloff-band", { label: "in-photo.ring", longLabel: "in-photo.ring.long", unit: "%", ...inPercent(host.catalogue.falloffBand) }, (share) => ({
+    "falloff-band": share / 100,
+  }));
+  onAction("seen-as-taken", () => host.apply({ "seen-from": undefined }));
   setUpBrush(host);
   setUpDepthNote(host);
+  let longerSide_px = 1;
   host.onChange((state) => {
+    longerSide_px = Math.max(...(state.photoSizePx ?? [1]));
     ring.value = 100 * state.falloffBand;
     seenFrom.value = Number.isFinite(state.seenFromM) ? 100 * state.seenFromM : SEEN_FROM_CM.max;
     byId("seen-as-taken", HTMLButtonElement).disabled = state.isAsTaken;
   });
-  host.onPhoto(() => showLimit(host));
+  host.onPhoto(() => showLimit(host.ask((studio) => studio.photoLimitedPx) ?? 0, longerSide_px));
 }
 
-/** @param {Host} host */
-function showLimit(host) {
-  const [limited_px = 0, side_px = 1] = host.ask((studio) => [studio.photoLimitedPx, Math.max(...studio.photoSize)]) ?? [];
+/**
+ * @param {number} limited_px
+ * @param {number} longerSide_px of the photo
+ */
+function showLimit(limited_px, longerSide_px) {
   const line = byId("in-photo-limit", HTMLParagraphElement);
-  const text = limited_px > MIN_LIMIT_SHARE * side_px ? t("in-photo.limited", { px: formatNumber(limited_px, 0) }) : "";
+  const text = limited_px > MIN_LIMIT_SHARE * longerSide_px ? t("in-photo.limited", { px: formatNumber(limited_px, 0) }) : "";
   if (line.textContent !== text) line.textContent = text;
 }
 
 /** @param {Host} host */
 function setUpBrush(host) {
-  const { min, max, step, neutral } = host.answer((studio) => studio.brushRange);
   const box = byId("brush", HTMLInputElement);
-  const size = slider(host, "brush-size", { label: "brush.size", longLabel: "brush.size.long", unit: "px", min, max, step, neutral }, (studio, px) =>
-    box.checked ? studio.setBrush(px) : undefined,
+  const size = slider(host, "brush-size", { label: "brush.size", longLabel: "brush.size.long", unit: "px", ...host.catalogue.brush }, (px) =>
+    box.checked ? { brush: px } : undefined,
   );
-  box.addEventListener("change", () => host.act((studio) => studio.setBrush(box.checked ? size.value : undefined)));
-  onAction("brush-undo", () => host.act((studio) => studio.undo()));
-  onAction("brush-redo", () => host.act((studio) => studio.redo()));
-  onAction("brush-clear", () => host.act((studio) => studio.clearStrokes()));
+  box.addEventListener("change", () => host.apply({ brush: box.checked ? size.value : undefined }));
+  onAction("brush-undo", () => host.apply("undo"));
+  onAction("brush-redo", () => host.apply("redo"));
+  onAction("brush-clear", () => host.apply("clear-strokes"));
   host.onChange(({ brushPx, strokeCount, canRedoStroke }) => {
     box.checked = brushPx !== undefined;
     document.body.toggleAttribute("data-brush", brushPx !== undefined);
@@ -68,28 +67,24 @@ function setUpBrush(host) {
 /** Shows a note with a button to turn the view while the edit points along the view. @param {Host} host */
 function setUpDepthNote(host) {
   const note = byId("depth-note", HTMLParagraphElement);
-  let isCommittedAlongView = false;
-  host.onChange(({ isAlongView }) => {
-    isCommittedAlongView = isAlongView;
-    note.hidden = !isAlongView;
-  });
-  host.onTick(({ editing, isAlongView }) => {
-    note.hidden = !(editing ? isAlongView : isCommittedAlongView);
-  });
-  onAction("show-depth", () => host.act((studio) => studio.showDepth()));
+  host.onTick(({ isAlongView }) => (note.hidden = !isAlongView));
+  onAction("show-depth", () => host.apply("show-depth"));
 }
 
 /**
  * @param {Host} host
  * @param {string} id id of the slider's container
  * @param {Pick<import("./slider.js").SliderOptions, "label" | "longLabel" | "unit" | "min" | "max" | "step" | "neutral">} options
- * @param {(studio: import("../../wasm/rosto-studio-web.js").Studio, value: number) => import("../viewport/host.js").ChangeName | void} set
+ * @param {(value: number) => import("../viewport/host.js").Intent | undefined} intentOf
  */
-function slider(host, id, options, set) {
+function slider(host, id, options, intentOf) {
   /** @type {Slider} */
   const made = new Slider({
     ...options,
-    onInput: () => host.act((studio) => set(studio, made.value)),
+    onInput: () => {
+      const intent = intentOf(made.value);
+      if (intent) host.apply(intent);
+    },
     onCommit: () => {},
     onCancel: () => {},
   });

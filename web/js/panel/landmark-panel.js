@@ -1,28 +1,28 @@
 import { announce } from "../page/announce.js";
 import { byId } from "../page/dom.js";
-import { landmarkLabel, takeTargetName, findVertex } from "../words/names.js";
+import { landmarkLabel, targetName, findVertex } from "../words/names.js";
 import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
 import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../viewport/host.js").StudioState} StudioState
- * @typedef {import("../viewport/host.js").StudioTick} StudioTick
+ * @typedef {import("../viewport/host.js").State} State
+ * @typedef {import("../viewport/host.js").Tick} Tick
  */
 
 /** Above this number, the panel shows only the count of anchors. */
 const NAMED_ANCHORS = 6;
-const AXES = /** @type {const} */ (["x", "y", "z"]);
 
 /** Finds a landmark or point by name or number, and moves it in millimetres. */
 export class LandmarkPanel {
   #search = byId("landmark-search", HTMLInputElement);
   #help = byId("landmark-help", HTMLParagraphElement);
+  /** @type {[Slider, Slider, Slider]} */
   #sliders;
-  #committed_mm = [0, 0, 0];
-  #step_mm = 0;
   /** @type {number | undefined} */
   #selected;
+  /** @type {import("../words/names.js").Target | undefined} */
+  #target;
   /** Last query without a match. @type {string | undefined} */
   #failedQuery;
   #selectable = 0;
@@ -32,10 +32,8 @@ export class LandmarkPanel {
   /** @param {Host} host */
   constructor(host) {
     this.#host = host;
-    this.#landmarkIds = host.answer((studio) => studio.landmarkIds);
-    const { min, max, step, neutral } = host.answer((studio) => studio.offsetRange);
-    this.#step_mm = step;
-    this.#sliders = AXES.map((axis) => this.#makeSlider(axis, { min, max, step, neutral }));
+    this.#landmarkIds = host.catalogue.landmarks;
+    this.#sliders = [this.#makeSlider("x"), this.#makeSlider("y"), this.#makeSlider("z")];
     byId("landmark-sliders", HTMLFieldSetElement).append(...this.#sliders.map((slider) => slider.element));
     // Typing replaces the current name.
     this.#search.addEventListener("focus", () => this.#search.select());
@@ -51,37 +49,27 @@ export class LandmarkPanel {
     onLocaleChange(() => this.#listNames());
   }
 
-  /**
-   * @param {"x" | "y" | "z"} axis
-   * @param {{ min: number, max: number, step: number, neutral: number }} range
-   */
-  #makeSlider(axis, range) {
+  /** @param {"x" | "y" | "z"} axis */
+  #makeSlider(axis) {
     return new Slider({
       label: `landmark.${axis}`,
       longLabel: `landmark.${axis}.long`,
       unit: "mm",
-      ...range,
+      ...this.#host.catalogue.offset,
       axis,
       onInput: () => this.#preview(),
       onCommit: () => this.#commit(),
-      onCancel: () => this.#host.act((studio) => studio.cancel()),
+      onCancel: () => this.#host.apply("cancel"),
     });
   }
 
-  /**
-   * Previews the offset that the sliders add to the committed edits of the selection. A difference below half a step is
-   * rounding, so it counts as zero.
-   */
   #preview() {
-    const [dx_mm = 0, dy_mm = 0, dz_mm = 0] = this.#sliders.map((slider, axis) => {
-      const by_mm = slider.value - (this.#committed_mm[axis] ?? 0);
-      return Math.abs(by_mm) > this.#step_mm / 2 + 1e-9 ? by_mm : 0;
-    });
-    this.#host.act((studio) => studio.preview(dx_mm, dy_mm, dz_mm));
+    const [x, y, z] = this.#sliders;
+    this.#host.apply({ offset: [x.value, y.value, z.value] });
   }
 
   #commit() {
-    this.#host.act((studio) => studio.commit());
+    this.#host.apply("commit");
     const [x = "", y = "", z = ""] = this.#sliders.map((slider) => formatNumber(slider.value, 1));
     announce(t("landmark.moved", { name: this.#selectionName(), x, y, z }));
   }
@@ -90,7 +78,7 @@ export class LandmarkPanel {
   #find(text) {
     const vertex = findVertex(text, this.#landmarkIds, this.#selectable);
     if (vertex === undefined) return this.#handleNotFound(text.trim());
-    this.#host.act((studio) => studio.selectAt(vertex));
+    this.#host.apply({ "select-at": vertex });
     this.#search.value = this.#selectionName();
     announce(t("landmark.selected", { name: this.#search.value }));
   }
@@ -118,7 +106,7 @@ export class LandmarkPanel {
     return this.#search.hasAttribute("aria-invalid");
   }
 
-  /** Help for the selection, or the reason why it cannot be moved. @param {StudioState} state */
+  /** Help for the selection, or the reason why it cannot be moved. @param {State} state */
   #showHelp(state) {
     this.#search.removeAttribute("aria-invalid");
     this.#help.classList.toggle("field-error", state.refusal !== undefined);
@@ -126,7 +114,7 @@ export class LandmarkPanel {
   }
 
   #selectionName() {
-    return this.#host.ask((studio) => takeTargetName(studio.selectedTarget)) ?? "";
+    return this.#target ? targetName(this.#target) : "";
   }
 
   #listNames() {
@@ -134,7 +122,7 @@ export class LandmarkPanel {
     byId("landmark-names", HTMLDataListElement).replaceChildren(...[...names].map((name) => new Option("", name)));
   }
 
-  /** @param {StudioState} state */
+  /** @param {State} state */
   #show(state) {
     byId("landmark-sliders", HTMLFieldSetElement).disabled = state.selected === undefined || state.refusal !== undefined;
     // The error stays until the query or the selection changes.
@@ -142,18 +130,21 @@ export class LandmarkPanel {
     if (staysInvalid) this.#showNotFound(this.#failedQuery ?? "");
     else this.#showHelp(state);
     this.#selected = state.selected;
+    this.#target = state.target;
     this.#selectable = state.selectable;
-    this.#committed_mm = [state.keptXMm, state.keptYMm, state.keptZMm];
+    this.#showOffset(state.offsetMm);
     if (!this.#isInvalid) this.#search.value = this.#selectionName();
-    this.#showAnchors([...state.anchors], state.selected !== undefined);
+    this.#showAnchors(state.anchors, state.selected !== undefined);
   }
 
-  /** @param {StudioTick} tick */
-  #follow({ offsetXMm, offsetYMm, offsetZMm }) {
-    const moving_mm = [offsetXMm, offsetYMm, offsetZMm];
-    for (const [axis, slider] of this.#sliders.entries()) {
-      slider.value = (this.#committed_mm[axis] ?? 0) + (moving_mm[axis] ?? 0);
-    }
+  /** @param {Tick} tick */
+  #follow({ offsetMm }) {
+    if (offsetMm) this.#showOffset(offsetMm);
+  }
+
+  /** @param {[number, number, number]} offset_mm */
+  #showOffset(offset_mm) {
+    for (const [axis, slider] of this.#sliders.entries()) slider.value = offset_mm[axis] ?? 0;
   }
 
   /**
@@ -169,10 +160,10 @@ export class LandmarkPanel {
   }
 }
 
-/** @param {StudioState} state */
+/** @param {State} state */
 function helpFor(state) {
   if (state.refusal) return /** @type {const} */ (`refusal.${state.refusal}`);
-  if (state.selectedInPlane) return "landmark.in-plane";
-  const key = `selection.${state.chosen("selection")}.help`;
+  if (state.liesInPlane) return "landmark.in-plane";
+  const key = `selection.${state.chosen["selection"]}.help`;
   return isWord(key) ? key : "selection.landmark.help";
 }

@@ -3,6 +3,7 @@ import { Slider } from "./slider.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
+ * @typedef {import("../../wasm/rosto-studio-web.js").LightSettings} LightSettings
  * @typedef {import("../words/words.js").WordKey} WordKey
  */
 
@@ -15,17 +16,21 @@ const SPHERE = 40;
  * @param {Host} host
  */
 export function setUpLight(host) {
-  const [azimuth_deg = 0, elevation_deg = 0, strength = 1, ambient = 0] = host.read(({ light }) => [...light]) ?? [];
+  let light = host.answer((studio) => studio.state()).light;
+  const set = (/** @type {Partial<LightSettings>} */ part) => {
+    light = { ...light, ...part };
+    host.apply({ light });
+    showSun(light.azimuthDeg, light.elevationDeg);
+  };
   const apply = () => {
-    const [around = 0, height = 0, direct = 0, even = 0] = sliders.map(({ value }) => value);
-    host.act((studio) => studio.setLight(around, height, direct / 100, even / 100));
-    showSun(around, height);
+    const [azimuthDeg = 0, elevationDeg = 0, strength = 0, ambient = 0] = sliders.map(({ value }) => value);
+    set({ azimuthDeg, elevationDeg, strength: strength / 100, ambient: ambient / 100 });
   };
   const sliders = [
-    slider("light.azimuth", "light.azimuth.long", "°", [-180, 180], azimuth_deg, apply),
-    slider("light.elevation", "light.elevation.long", "°", [-90, 90], elevation_deg, apply),
-    slider("light.strength", "light.strength.long", "%", [0, 200], 100 * strength, apply),
-    slider("light.ambient", "light.ambient.long", "%", [0, 100], 100 * ambient, apply),
+    slider("light.azimuth", "light.azimuth.long", "°", [-180, 180], light.azimuthDeg, apply),
+    slider("light.elevation", "light.elevation.long", "°", [-90, 90], light.elevationDeg, apply),
+    slider("light.strength", "light.strength.long", "%", [0, 200], 100 * light.strength, apply),
+    slider("light.ambient", "light.ambient.long", "%", [0, 100], 100 * light.ambient, apply),
   ];
   byId("light-sliders", HTMLDivElement).append(...sliders.map(({ element }) => element));
   const [around, height] = sliders;
@@ -37,28 +42,29 @@ export function setUpLight(host) {
   const colour = byId("light-colour", HTMLInputElement);
   colour.addEventListener("input", () => {
     const { red, green, blue } = chosenColour(colour);
-    host.act((studio) => studio.setLightColour(red, green, blue));
+    set({ colour: [red, green, blue] });
   });
   const onPhoto = byId("light-photo", HTMLInputElement);
-  onPhoto.addEventListener("change", () => host.act((studio) => studio.setPhotoLit(onPhoto.checked)));
+  onPhoto.addEventListener("change", () => host.apply({ "picture-light": onPhoto.checked }));
   // The display mode is not part of the document, so choosing it fires no change.
   for (const choice of [byId("shading", HTMLDivElement), onPhoto]) choice.addEventListener("change", () => host.read(showLamp));
   host.onChange((state) => {
-    const { light, lightColour } = state;
+    light = state.light;
     showLamp(state);
-    for (const [place, slider] of sliders.entries()) slider.value = (light[place] ?? 0) * (place < 2 ? 1 : 100);
-    colour.value = hex(lightColour);
-    showSun(light[0] ?? 0, light[1] ?? 0);
+    const values = [light.azimuthDeg, light.elevationDeg, 100 * light.strength, 100 * light.ambient];
+    for (const [place, slider] of sliders.entries()) slider.value = values[place] ?? 0;
+    colour.value = hex(light.colour);
+    showSun(light.azimuthDeg, light.elevationDeg);
   });
 }
 
 /**
  * Disables the lamp while the unlit photo is shown.
  *
- * @param {import("../viewport/host.js").StudioState} state
+ * @param {import("../viewport/host.js").State} state
  */
 function showLamp(state) {
-  const isPhoto = state.chosen("shading") === "picture";
+  const isPhoto = state.chosen["shading"] === "picture";
   byId("light-photo", HTMLInputElement).checked = state.photoLit;
   byId("light-photo-field", HTMLLabelElement).hidden = !isPhoto;
   byId("lamp", HTMLFieldSetElement).disabled = isPhoto && !state.photoLit;

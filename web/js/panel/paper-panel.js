@@ -115,7 +115,7 @@ export class PaperPanel {
   #tableRow({ task, degree, firstMs, secondMs, hereMs }) {
     const here_ms = task === "extraction" ? this.#extraction_ms : hereMs;
     const here = here_ms === undefined ? t("paper.not-timed") : formatNumber(here_ms, here_ms < 10 ? 2 : 0);
-    return tableRow(t(`paper.${task}`, { degree }), [formatNumber(firstMs, 0), formatNumber(secondMs, 0), here]);
+    return tableRow(t(/** @type {import("../words/words.js").WordKey} */ (`paper.${task}`), { degree }), [formatNumber(firstMs, 0), formatNumber(secondMs, 0), here]);
   }
 }
 

@@ -2,19 +2,16 @@ import { byId, make, makeIcon } from "../page/dom.js";
 import { toast } from "../page/toast.js";
 import { faceBox } from "../photo/face-box.js";
 import { onLocaleChange, t } from "../words/words.js";
-import { photoFacts, photosOf, indexOfPhoto } from "../work/photos.js";
-import { imageDataOf } from "../work/pixels.js";
+import { photoOf, viewsOf } from "../work/face.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../work/work.js").OpenedFace} OpenedFace
- * @typedef {ReturnType<typeof photoFacts>[number]} Facts
- *
- * @typedef {object} Photos
- * @property {OpenedFace | undefined} face open face
- * @property {(files: File[]) => Promise<void>} addPhotos
- * @property {(photo: OpenedFace) => Promise<void>} removePhoto
- * @property {(photo: OpenedFace) => Promise<void>} restorePhoto
+ * @typedef {import("../viewport/host.js").State} State
+ * @typedef {import("../opening.js").Opening} Opening
+ * @typedef {import("../photo/vision-client.js").VisionClient} VisionClient
+ * @typedef {import("../work/face.js").Face} Face
+ * @typedef {import("../work/face.js").FacePhoto} FacePhoto
+ * @typedef {State["photos"][number]} Facts
  */
 
 const THUMBNAIL_PX = 40;
@@ -25,30 +22,35 @@ const AROUND_FACE = 1.4;
 export class PhotosPanel {
   #host;
   #opening;
+  #vision;
   #list = byId("photo-list", HTMLUListElement);
   #missingLine = byId("photos-missing", HTMLParagraphElement);
   #add = byId("add-photo", HTMLButtonElement);
   #restore = byId("photo-removed", HTMLDivElement);
-  /** Face whose rows are shown. @type {OpenedFace | undefined} */
-  #face;
+  /** Pictures whose rows are shown. */
+  #shown = "";
   /**
-   * Last removed photo and the face without it. It can be restored while that face is open.
+   * Last removed photo, and the face and its pictures without it. It can be restored while these are open.
    *
-   * @type {{ photo: OpenedFace, face: OpenedFace } | undefined}
+   * @type {{ photo: FacePhoto, face: Face, pictures: string } | undefined}
    */
   #removed;
+  /** Thumbnail of each picture. @type {Map<string, Promise<ImageBitmap>>} */
+  #thumbnails = new Map();
 
   /**
    * @param {Host} host
-   * @param {() => Photos} opening
+   * @param {Opening} opening
+   * @param {VisionClient} vision
    */
-  constructor(host, opening) {
+  constructor(host, opening, vision) {
     this.#host = host;
     this.#opening = opening;
+    this.#vision = vision;
     this.#setUpChooser();
     byId("restore-photo", HTMLButtonElement).addEventListener("click", () => this.#restorePhoto());
-    host.onChange(() => this.#show());
-    onLocaleChange(() => this.#show());
+    host.onChange((state) => this.#show(state));
+    onLocaleChange(() => this.#host.read((state) => this.#show(state)));
   }
 
   #setUpChooser() {
@@ -62,21 +64,23 @@ export class PhotosPanel {
     });
   }
 
-  /** @param {(opening: Photos) => Promise<void>} act */
+  /** @param {(opening: Opening) => Promise<void>} act */
   async #change(act) {
     const before = this.#count();
-    await act(this.#opening());
+    await act(this.#opening);
     const n = this.#count();
     if (n !== before) toast(n > 1 ? t("photos.added", { n }) : t("photos.alone"));
   }
 
-  /** @param {OpenedFace} photo */
-  async #remove(photo) {
-    await this.#change((opening) => opening.removePhoto(photo));
-    const { face } = this.#opening();
-    if (!face || indexOfPhoto(face, photo) !== undefined) return;
-    this.#removed = { photo, face };
-    this.#show();
+  /** @param {string} picture */
+  async #remove(picture) {
+    const { face } = this.#opening;
+    if (!face?.pictures.includes(picture)) return;
+    const photo = photoOf(face, picture);
+    await this.#change((opening) => opening.removePhoto(picture));
+    if (this.#opening.face !== face || face.pictures.includes(picture)) return;
+    this.#removed = { photo, face, pictures: face.pictures.join() };
+    this.#host.read((state) => this.#show(state));
   }
 
   async #restorePhoto() {
@@ -85,42 +89,72 @@ export class PhotosPanel {
   }
 
   #count() {
-    const { face } = this.#opening();
-    return face ? photosOf(face).length : 0;
+    return this.#opening.face?.pictures.length ?? 0;
   }
 
-  #show() {
-    const { face } = this.#opening();
-    const facts = this.#host.ask(photoFacts) ?? [];
-    const photos = face ? photosOf(face) : [];
-    this.#missingLine.textContent = (this.#host.ask((studio) => studio.missingTurns()) ?? []).map(missingText).join(" ");
+  /** @param {State} state */
+  #show({ photos: facts, missingTurns }) {
+    const { face } = this.#opening;
+    const pictures = face?.pictures ?? [];
+    this.#missingLine.textContent = missingTurns.map(missingText).join(" ");
     this.#missingLine.hidden = this.#list.hidden = facts.length < 2;
-    this.#add.disabled = facts.length >= (this.#host.ask((studio) => studio.maxPhotos) ?? 0);
-    if (photos.length !== facts.length) return;
+    this.#add.disabled = facts.length >= this.#host.catalogue.maxPhotos;
+    if (pictures.length !== facts.length) return;
     const hadFocus = this.#list.contains(document.activeElement);
-    if (face !== this.#face) this.#list.replaceChildren(...(photos.length < 2 ? [] : photos.map((photo) => this.#row(photo))));
-    this.#face = face;
+    if (pictures.join() !== this.#shown) this.#list.replaceChildren(...(face && pictures.length > 1 ? this.#rows(face) : []));
+    this.#shown = pictures.join();
     // Moves the focus if its button was removed.
     if (hadFocus && !this.#list.contains(document.activeElement)) this.#add.focus();
     const restoreHadFocus = this.#restore.contains(document.activeElement);
-    this.#restore.hidden = this.#removed?.face !== face;
+    this.#restore.hidden = this.#removed?.face !== face || this.#removed?.pictures !== this.#shown;
     if (restoreHadFocus && this.#restore.hidden) this.#add.focus();
     for (const [place, row] of [...this.#list.children].entries()) write(row, facts[place]);
   }
 
-  /** @param {OpenedFace} photo */
-  #row(photo) {
-    const row = make("li");
-    const canvas = make("canvas");
-    canvas.setAttribute("aria-hidden", "true");
-    draw(canvas, photo).catch((error) => console.warn("cannot draw a thumbnail:", error));
-    const remove = make("button", "icon-button");
-    remove.type = "button";
-    remove.append(makeIcon("close"));
-    // A double click would also remove the photo that moves into this row.
-    remove.addEventListener("click", ({ detail }) => detail < 2 && this.#remove(photo));
-    row.append(canvas, make("span"), remove);
-    return row;
+  /** @param {Face} face */
+  #rows(face) {
+    return face.pictures.map((picture) => {
+      const row = make("li");
+      const canvas = make("canvas");
+      canvas.setAttribute("aria-hidden", "true");
+      this.#draw(canvas, photoOf(face, picture)).catch((error) => console.warn("cannot draw a thumbnail:", error));
+      const remove = make("button", "icon-button");
+      remove.type = "button";
+      remove.append(makeIcon("close"));
+      // A double click would also remove the photo that moves into this row.
+      remove.addEventListener("click", ({ detail }) => detail < 2 && this.#remove(picture));
+      row.append(canvas, make("span"), remove);
+      return row;
+    });
+  }
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {FacePhoto} photo
+   */
+  async #draw(canvas, photo) {
+    const [picture = ""] = photo.pictures;
+    const drawn = this.#thumbnails.get(picture) ?? this.#thumbnail(picture, photo);
+    this.#thumbnails.set(picture, drawn);
+    const thumbnail = await drawn;
+    [canvas.width, canvas.height] = [thumbnail.width, thumbnail.height];
+    canvas.getContext("2d")?.drawImage(thumbnail, 0, 0);
+  }
+
+  /**
+   * @param {string} picture
+   * @param {FacePhoto} photo
+   */
+  async #thumbnail(picture, { photos, files }) {
+    const [{ landmarks } = { landmarks: new Float32Array() }] = viewsOf(photos);
+    const whole = await this.#vision.picture(picture, files);
+    const { x, y, side: size } = faceBox(landmarks, whole.width, whole.height);
+    const side = Math.max(1, Math.round(AROUND_FACE * size));
+    const side_px = Math.round(THUMBNAIL_PX * devicePixelRatio);
+    const resize = { resizeWidth: side_px, resizeHeight: side_px, resizeQuality: /** @type {const} */ ("high") };
+    const thumbnail = await createImageBitmap(whole, Math.round(x - side / 2), Math.round(y - side / 2), side, side, resize);
+    whole.close();
+    return thumbnail;
   }
 }
 
@@ -149,20 +183,4 @@ function turnText({ turn, yawDeg }) {
 function missingText(turn) {
   if (turn === "front") return t("photos.missing.front");
   return t(turn === "left" ? "photos.missing.left" : "photos.missing.right");
-}
-
-/**
- * @param {HTMLCanvasElement} canvas
- * @param {OpenedFace} photo
- */
-async function draw(canvas, photo) {
-  const side_px = Math.round(THUMBNAIL_PX * devicePixelRatio);
-  const { x, y, side: size } = faceBox(photo.landmarks, photo.pictureWidth_px, photo.pictureHeight_px);
-  const side = Math.max(1, Math.round(AROUND_FACE * size));
-  const place = [Math.round(x - side / 2), Math.round(y - side / 2)];
-  const resize = { resizeWidth: side_px, resizeHeight: side_px, resizeQuality: /** @type {const} */ ("high") };
-  const bitmap = await createImageBitmap(imageDataOf(photo), place[0] ?? 0, place[1] ?? 0, side, side, resize);
-  [canvas.width, canvas.height] = [side_px, side_px];
-  canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
-  bitmap.close();
 }

@@ -1,16 +1,14 @@
 import { byId, make } from "../page/dom.js";
 import { asPageError } from "../page/page-error.js";
-import { isTrap, studioModule } from "../viewport/studio-module.js";
+import { isTrap } from "../viewport/studio-module.js";
 import { idName } from "../words/names.js";
 import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
-import { withFileChoices } from "../work/exported-file.js";
 import { chosen, hasLength, printChoices } from "./file-choices.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../../wasm/rosto-studio-web.js").PrintedBody} PrintedBody
+ * @typedef {import("../worker/protocol.js").SolidFacts} SolidFacts
  * @typedef {import("../words/words.js").WordKey} WordKey
- * @typedef {Pick<PrintedBody, "volumeCm3" | "sizeMm" | "thinnestMm" | "movedMm" | "plaGrams">} Body
  */
 
 /** Debounce delay: computing a body takes time. */
@@ -22,6 +20,7 @@ const VISIBLE_MM = 0.05;
 /** Print options, the measurements of the body, and the reason if it cannot be made. */
 export class PrintPanel {
   #host;
+  #files;
   #fold = byId("export-print", HTMLDetailsElement);
   #length = byId("solid-mm", HTMLInputElement);
   #facts = byId("print-facts", HTMLDListElement);
@@ -29,17 +28,23 @@ export class PrintPanel {
   /** Length entered for each shape that has one, in mm. @type {Record<string, string>} */
   #lengths_mm = { thickness: "2", flat: "3" };
   #range_mm;
-  /** @type {Body | undefined} */
+  /** @type {SolidFacts | undefined} */
   #body;
   /** @type {unknown} */
   #error;
   #isStale = true;
   #timer = 0;
+  /** Identifies the latest measurement. */
+  #measured = 0;
 
-  /** @param {Host} host */
-  constructor(host) {
+  /**
+   * @param {Host} host
+   * @param {import("../work/face-files.js").FaceFiles} files
+   */
+  constructor(host, files) {
     this.#host = host;
-    this.#range_mm = studioModule().solidRangeMm();
+    this.#files = files;
+    this.#range_mm = host.catalogue.solidMm;
     const [least = 0, most = 0] = this.#range_mm;
     Object.assign(this.#length, { min: String(least), max: String(most) });
     this.#offerLength();
@@ -74,21 +79,15 @@ export class PrintPanel {
     if (this.#fold.open && this.#fold.checkVisibility()) this.#timer = setTimeout(() => this.#measure(), DEBOUNCE_MS);
   }
 
-  #measure() {
+  async #measure() {
     this.#isStale = false;
+    const number = ++this.#measured;
+    const result = await this.#files.solidFacts(printChoices()).then((body) => ({ body }), (error) => ({ error }));
+    if (number !== this.#measured || this.#isStale) return;
     delete this.#fold.dataset["measuring"];
-    try {
-      this.#show(withFileChoices(printChoices(), (choices) => this.#host.answer((studio) => studio.solidFacts(choices))));
-    } catch (error) {
-      this.showError(error);
-    }
-  }
-
-  /** @param {PrintedBody | undefined} body */
-  #show(body) {
+    if ("error" in result) return this.showError(result.error);
     this.#error = undefined;
-    this.#body = body && { ...measuresOf(body) };
-    body?.free();
+    this.#body = result.body;
     this.#write();
   }
 
@@ -106,8 +105,7 @@ export class PrintPanel {
   /** Error text with an allowed length, if there is one. */
   #errorText() {
     const [least = 0, most = 0] = this.#range_mm;
-    const { code } = asPageError(this.#error);
-    const { maxMm = 0 } = /** @type {{ maxMm?: number }} */ (this.#error);
+    const { code, maxMm = 0 } = asPageError(this.#error);
     if (code === "bad-choice") return t("print.range", { least: formatNumber(least, 1), most: formatNumber(most, 0) });
     // Rounded down so that the suggested length works.
     const works_mm = Math.floor(10 * maxMm) / 10;
@@ -117,18 +115,10 @@ export class PrintPanel {
   }
 }
 
-/**
- * @param {PrintedBody} body
- * @returns {Body}
- */
-function measuresOf({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
-  return { volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams };
-}
-
-/** @param {Body} body */
+/** @param {SolidFacts} body */
 function factRows({ volumeCm3, sizeMm, thinnestMm, movedMm, plaGrams }) {
   const rows = [
-    ["size", `${[...sizeMm].map((side) => formatNumber(side, 0)).join(" × ")} mm`],
+    ["size", `${sizeMm.map((side) => formatNumber(side, 0)).join(" × ")} mm`],
     ["volume", `${formatNumber(volumeCm3, 1)} cm³`],
     ["weight", `${formatNumber(plaGrams, 0)} g`],
     ["thinnest", `${formatNumber(thinnestMm, 1)} mm`],

@@ -1,7 +1,7 @@
 import { announce } from "../page/announce.js";
 import { byId, make } from "../page/dom.js";
 import { afterNextFrame } from "../page/tasks.js";
-import { idName, takeTargetName } from "../words/names.js";
+import { idName, targetName } from "../words/names.js";
 import { onLocaleChange, t } from "../words/words.js";
 
 /**
@@ -17,12 +17,12 @@ export function setUpSelectionMode(host) {
   const regions = byId("region", HTMLSelectElement);
   regions.addEventListener("change", () => {
     const { value } = regions;
-    host.act((studio) => (value === "" ? studio.select() : studio.selectRegion(value)));
-    if (value !== "") announce(t("landmark.selected", { name: host.ask((studio) => takeTargetName(studio.selectedTarget)) ?? "" }));
+    host.apply({ select: value === "" ? undefined : { region: value } });
+    if (value !== "") announce(t("landmark.selected", { name: host.read(({ target }) => target && targetName(target)) ?? "" }));
   });
-  host.onChange((state) => {
-    regions.value = state.selectedRegion ?? "";
-    showFields(state.chosen("selection") ?? "");
+  host.onChange(({ target, chosen }) => {
+    regions.value = target?.kind === "region" ? target.id : "";
+    showFields(chosen["selection"] ?? "");
   });
   onLocaleChange(() => listRegions(host, regions));
 }
@@ -62,7 +62,7 @@ function listRegions(host, list) {
   const none = make("option", undefined, t("region.none"));
   none.value = "";
   none.hidden = true;
-  const named = (host.ask((studio) => studio.regionIds) ?? []).map((id) => new Option(idName("region", id), id));
+  const named = host.catalogue.regions.map((id) => new Option(idName("region", id), id));
   list.replaceChildren(none, ...named);
   list.value = chosen;
 }

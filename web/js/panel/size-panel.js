@@ -39,8 +39,8 @@ export class SizePanel {
    */
   constructor(host, known) {
     this.#host = host;
-    this.#landmarkIds = host.answer((studio) => studio.landmarkIds);
-    this.#measureIds = host.answer((studio) => studio.measureIds);
+    this.#landmarkIds = host.catalogue.landmarks;
+    this.#measureIds = host.catalogue.measures;
     this.#photoLens = known;
     this.#distance = new Slider({
       ...{ label: "size.distance", longLabel: "size.distance.long", unit: "cm", min: MIN_CM, max: MAX_CM, step: 1 },
@@ -60,7 +60,7 @@ export class SizePanel {
 
   /** @param {string} lens */
   #setLens(lens) {
-    this.#host.act((studio) => studio.setPhotoLens(lens));
+    this.#host.apply({ "photo-lens": lens });
   }
 
   #start() {
@@ -69,7 +69,7 @@ export class SizePanel {
   }
 
   #show() {
-    const face = this.#host.read(({ vertexCount, selected }, { photoLens }) => ({ vertexCount, selected, photoLens }));
+    const face = this.#host.read(({ vertexCount, selected, photoLens }) => ({ vertexCount, selected, photoLens }));
     // The start may not exist in the current mesh.
     if (face?.photoLens === undefined || (this.#from ?? 0) >= face.vertexCount) this.#from = undefined;
     if (face?.photoLens === undefined) return;

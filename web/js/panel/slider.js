@@ -32,6 +32,8 @@ export class Slider {
   #pending = 0;
   #options;
   #label;
+  /** Value last set; the fields show it rounded. */
+  #exact = 0;
 
   /** @param {SliderOptions} options */
   constructor(options) {
@@ -58,15 +60,20 @@ export class Slider {
     for (const input of [this.#range, this.#number]) input.setAttribute("aria-label", textOf(longLabel));
   }
 
-  /** Clamps a number that is being typed. A drag in the 3D view may exceed the range. */
+  /**
+   * The exact value if the field shows it, else the entered number. Clamps a number that is being typed; a drag in the
+   * 3D view may exceed the range.
+   */
   get value() {
     const value = Number(this.#number.value);
-    return "typing" in this.#number.dataset ? this.#clamp(value) : value;
+    const shown = "typing" in this.#number.dataset ? this.#clamp(value) : value;
+    return shown === this.#rounded(this.#exact) ? this.#exact : shown;
   }
 
   /** Leaves a number field alone whose value already matches, so that typing is not disturbed. */
   set value(value) {
-    const rounded = Number(value.toFixed(decimalsOf(this.#options.step)));
+    this.#exact = value;
+    const rounded = this.#rounded(value);
     if (this.#range.valueAsNumber !== rounded) this.#range.value = String(rounded);
     if (this.#number.valueAsNumber !== rounded) this.#number.value = String(rounded);
   }
@@ -87,7 +94,7 @@ export class Slider {
     });
     input.addEventListener("change", () => {
       delete input.dataset["typing"];
-      this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : this.#clamp(input.valueAsNumber);
+      this.value = Number.isNaN(input.valueAsNumber) ? this.#options.neutral : this.#clamp(this.value);
       onInput();
       if (!byKey) return onCommit();
       clearTimeout(this.#pending);
@@ -102,6 +109,11 @@ export class Slider {
       this.#pending = 0;
       onCancel();
     });
+  }
+
+  /** @param {number} value */
+  #rounded(value) {
+    return Number(value.toFixed(decimalsOf(this.#options.step)));
   }
 
   /** @param {number} value */

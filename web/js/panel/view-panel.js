@@ -11,20 +11,20 @@ import { setUpLight } from "./light.js";
 export function setUpViewPanel(host) {
   setUpLight(host);
   setUpBackground(host);
-  onCheck("wireframe", (shown) => host.act((studio) => studio.setWireframe(shown)));
+  onCheck("wireframe", (shown) => host.apply({ wireframe: shown }));
   host.canvas.addEventListener("keydown", (event) => {
     if (event.key.toLowerCase() === "w" && !event.ctrlKey && !event.metaKey) byId("wireframe", HTMLInputElement).click();
   });
-  onCheck("dots", (shown) => host.act((studio) => studio.setDots(shown)));
-  onCheck("turntable", (turns) => host.act((studio) => studio.setTurntable(turns)));
+  onCheck("dots", (shown) => host.apply({ dots: shown }));
+  onCheck("turntable", (turns) => host.apply({ turntable: turns }));
   host.onChange((state) => {
     byId("wireframe", HTMLInputElement).checked = state.wireframe;
     byId("dots", HTMLInputElement).checked = state.dots;
     byId("turntable", HTMLInputElement).checked = state.turntable;
   });
-  onAction("reset-view", () => host.act((studio) => studio.view("reset")));
+  onAction("reset-view", () => host.apply({ "go-to": "reset" }));
   for (const side of /** @type {const} */ (["front", "left", "top"])) {
-    onAction(`view-${side}`, () => host.act((studio) => studio.view(side)));
+    onAction(`view-${side}`, () => host.apply({ "go-to": side }));
   }
   followMotionSetting(host);
 }
@@ -35,16 +35,16 @@ function setUpBackground(host) {
   const plain = byId("background-plain", HTMLInputElement);
   const apply = () => {
     const { red, green, blue } = chosenColour(colour);
-    host.act((studio) => (plain.checked ? studio.setBackdrop(red, green, blue) : studio.setGround()));
+    host.apply({ background: plain.checked ? [red, green, blue] : undefined });
   };
   plain.addEventListener("change", apply);
   colour.addEventListener("input", () => {
     plain.checked = true;
     apply();
   });
-  host.onChange(({ backdrop }) => {
-    plain.checked = backdrop.length > 0;
-    if (plain.checked) colour.value = hex(backdrop);
+  host.onChange(({ background }) => {
+    plain.checked = background !== undefined;
+    if (background) colour.value = hex(background);
   });
 }
 
@@ -60,7 +60,7 @@ function onCheck(id, apply) {
 /** @param {Host} host */
 function followMotionSetting(host) {
   const setting = matchMedia("(prefers-reduced-motion: reduce)");
-  const apply = () => host.act((studio) => studio.setReducedMotion(setting.matches));
+  const apply = () => host.apply({ "reduced-motion": setting.matches });
   setting.addEventListener("change", apply);
   apply();
 }

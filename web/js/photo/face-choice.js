@@ -1,8 +1,9 @@
 import { byId, make } from "../page/dom.js";
 import { onLocaleChange, t } from "../words/words.js";
+import { leadOf } from "../work/face.js";
 import { faceBox } from "./face-box.js";
 
-/** @typedef {import("../work/work.js").OpenedFace} OpenedFace */
+/** @typedef {import("../work/face.js").Face} Face */
 
 const THUMBNAIL_PX = 56;
 /** Margin around a face in its thumbnail, relative to the face. */
@@ -14,38 +15,41 @@ export class FaceChoice {
   #group = byId("face-choice", HTMLFieldSetElement);
   #previous = byId("previous-face", HTMLButtonElement);
   #earlier = byId("earlier-faces", HTMLDivElement);
-  /** Shown before, latest first. @type {OpenedFace[]} */
+  /** Shown before, latest first. @type {Face[]} */
   #before = [];
-  /** @type {OpenedFace[]} */
+  /** @type {Face[]} */
   #faces = [];
-  /** @type {OpenedFace | undefined} */
+  /** @type {Face | undefined} */
   #shown;
-  /** @type {WeakMap<OpenedFace, Promise<ImageBitmap>>} */
+  /** `lead`: picture that was drawn. @type {WeakMap<Face, { lead: string | undefined, bitmap: Promise<ImageBitmap> }>} */
   #thumbnails = new WeakMap();
   #choose;
-  #goBackTo;
+
+  /** @param {(face: Face) => void} choose */
+  constructor(choose) {
+    this.#choose = choose;
+    this.#previous.addEventListener("click", () => this.#before[0] && choose(this.#before[0]));
+    onLocaleChange(() => this.#updateLabels());
+  }
 
   /**
-   * @param {(face: OpenedFace) => void} choose
-   * @param {(face: OpenedFace) => void} goBackTo
+   * Makes the thumbnails of the faces of a photo, while its picture is available.
+   *
+   * @param {Face[]} faces
+   * @param {ImageBitmap} picture
    */
-  constructor(choose, goBackTo) {
-    this.#choose = choose;
-    this.#goBackTo = goBackTo;
-    this.#previous.addEventListener("click", () => this.#before[0] && goBackTo(this.#before[0]));
-    onLocaleChange(() => this.#updateLabels());
+  prepare(faces, picture) {
+    for (const face of faces) this.#createThumbnail(face, picture);
   }
 
   /**
    * Shows the faces of a photo and the recent faces; hides the strip if there is nothing to choose.
    *
-   * @param {OpenedFace[]} faces
-   * @param {OpenedFace[]} before latest first
-   * @param {ImageBitmap} bitmap picture of the faces
+   * @param {Face[]} faces
+   * @param {Face[]} before latest first
    */
-  async show(faces, before, bitmap) {
+  async show(faces, before) {
     const isGroup = faces.length > 1;
-    for (const face of faces) this.#createThumbnail(face, bitmap);
     this.#group.hidden = !isGroup;
     this.#previous.hidden = before.length === 0;
     this.#strip.hidden = !isGroup && before.length === 0;
@@ -56,12 +60,12 @@ export class FaceChoice {
     await Promise.all(drawing);
   }
 
-  /** @param {OpenedFace[]} faces of earlier photos */
+  /** @param {Face[]} faces of earlier photos */
   #showEarlier(faces) {
     const buttons = faces.map((face) => {
       const button = make("button", "previous-face");
       button.type = "button";
-      button.addEventListener("click", () => this.#goBackTo(face));
+      button.addEventListener("click", () => this.#choose(face));
       return { button, canvas: make("canvas"), face };
     });
     for (const { button, canvas } of buttons) button.append(canvas);
@@ -70,7 +74,7 @@ export class FaceChoice {
     return buttons.map(({ canvas, face }) => this.#draw(canvas, face));
   }
 
-  /** Checks the radio button of the current face. @param {OpenedFace | undefined} shown */
+  /** Checks the radio button of the current face. @param {Face | undefined} shown */
   mark(shown) {
     this.#shown = shown;
     for (const [index, input] of this.#inputs().entries()) {
@@ -79,7 +83,7 @@ export class FaceChoice {
     }
   }
 
-  /** @param {OpenedFace[]} faces */
+  /** @param {Face[]} faces */
   #showFaces(faces) {
     this.#faces = faces;
     const options = faces.length < 2 ? [] : faces.map((face) => ({ face, canvas: make("canvas"), label: this.#option(face) }));
@@ -90,7 +94,7 @@ export class FaceChoice {
     return options.map(({ canvas, face }) => this.#draw(canvas, face));
   }
 
-  /** @param {OpenedFace} face */
+  /** @param {Face} face */
   #option(face) {
     const label = make("label");
     const input = make("input");
@@ -103,27 +107,30 @@ export class FaceChoice {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {OpenedFace | undefined} face
+   * @param {Face | undefined} face
    */
   async #draw(canvas, face) {
-    const thumbnail = await (face && this.#thumbnails.get(face));
+    const thumbnail = await (face && this.#thumbnails.get(face)?.bitmap);
     if (!thumbnail) return;
     [canvas.width, canvas.height] = [thumbnail.width, thumbnail.height];
     canvas.getContext("2d")?.drawImage(thumbnail, 0, 0);
   }
 
   /**
-   * Created once, while the picture is available.
+   * A face whose lead photo has changed gets another thumbnail.
    *
-   * @param {OpenedFace} face
-   * @param {ImageBitmap} bitmap
+   * @param {Face} face
+   * @param {ImageBitmap} picture
    */
-  #createThumbnail(face, bitmap) {
-    if (this.#thumbnails.has(face)) return;
-    const { left, top, side } = boxOf(face);
+  #createThumbnail(face, picture) {
+    const lead = face.pictures[face.lead];
+    if (this.#thumbnails.get(face)?.lead === lead) return;
+    const { left, top, side } = boxOf(face, picture);
     const side_px = Math.round(THUMBNAIL_PX * devicePixelRatio);
     const size = { resizeWidth: side_px, resizeHeight: side_px, resizeQuality: /** @type {const} */ ("high") };
-    this.#thumbnails.set(face, createImageBitmap(bitmap, left, top, side, side, size));
+    const bitmap = createImageBitmap(picture, left, top, side, side, size);
+    bitmap.catch((error) => console.warn("cannot draw a thumbnail:", error));
+    this.#thumbnails.set(face, { lead, bitmap });
   }
 
   #updateLabels() {
@@ -144,10 +151,11 @@ export class FaceChoice {
 /**
  * Square crop around a face, in px of its picture.
  *
- * @param {OpenedFace} face
+ * @param {Face} face
+ * @param {ImageBitmap} picture
  */
-function boxOf({ landmarks, pictureWidth_px, pictureHeight_px }) {
-  const { x, y, side: size } = faceBox(landmarks, pictureWidth_px, pictureHeight_px);
+function boxOf(face, { width, height }) {
+  const { x, y, side: size } = faceBox(leadOf(face).landmarks, width, height);
   const side = size * (1 + 2 * MARGIN);
   return { left: Math.round(x - side / 2), top: Math.round(y - side / 2), side: Math.max(1, Math.round(side)) };
 }

@@ -1,15 +1,18 @@
 import { byId } from "../page/dom.js";
 import { onLocaleChange, t } from "../words/words.js";
+import { leadOf } from "../work/face.js";
 import { faceCrop } from "./face-box.js";
 import { PanelPhoto } from "./panel-photo.js";
 import { drawCircle, drawLandmarks, LANDMARK_COUNT } from "./photo-landmarks.js";
 
 /**
- * @typedef {import("../work/work.js").OpenedFace} OpenedFace
+ * @typedef {import("../work/face.js").Face} Face
+ * @typedef {import("../work/face.js").PhotoView} PhotoView
  * @typedef {import("./panel-photo.js").Drawable} Drawable
  *
  * @typedef {object} Prepared
- * @property {OpenedFace} face
+ * @property {PhotoView} view
+ * @property {{ width: number, height: number }} picture px
  * @property {{ left: number, top: number, width: number, height: number }} crop in px of the picture
  * @property {ImageBitmap} part the crop, scaled down to the largest display size
  */
@@ -81,35 +84,38 @@ export class PhotoOverlay {
     });
   }
 
-  /**
-   * Crops and scales a face's picture for display: uploading the full picture to the GPU would block the page.
-   *
-   * @param {OpenedFace} face
-   * @param {ImageBitmap} picture
-   * @returns {Promise<Prepared>}
-   */
-  async prepare(face, picture) {
-    const crop = faceCrop(face.landmarks, picture);
-    const { left, top, width, height } = crop;
-    const resizeHeight = Math.min(height, Math.round(MAX_PANE_PX * devicePixelRatio));
-    const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
-    return { face, crop, part };
+  /** Size of the lead photo's picture, in px. */
+  get pictureSize() {
+    return this.#picture;
   }
 
   /**
-   * Shows the picture and the landmarks of one of its faces.
+   * Crops and scales a face's picture for display: uploading the full picture to the GPU would block the page.
    *
-   * @param {Prepared} prepared
+   * @param {Face} face
+   * @param {ImageBitmap} picture of its lead photo
+   * @returns {Promise<import("../opening.js").Prepared>}
    */
-  show({ face, crop, part }) {
+  async prepare(face, picture) {
+    const view = leadOf(face);
+    const size = { width: picture.width, height: picture.height };
+    const crop = faceCrop(view.landmarks, size);
+    const { left, top, width, height } = crop;
+    const resizeHeight = Math.min(height, Math.round(MAX_PANE_PX * devicePixelRatio));
+    const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
+    return { show: () => this.#show({ view, picture: size, crop, part }), discard: () => part.close() };
+  }
+
+  /** @param {Prepared} prepared */
+  #show({ view, picture, crop, part }) {
     this.#part?.close();
     this.#part = part;
-    this.#picture = { width: face.pictureWidth_px, height: face.pictureHeight_px };
-    this.#landmarks = face.landmarks;
+    this.#picture = picture;
+    this.#landmarks = view.landmarks;
     this.#crop = crop;
     this.#moved = undefined;
-    this.#edited?.set(part, crop, face.width_px / face.pictureWidth_px);
-    this.#size = { width_px: face.width_px, height_px: face.height_px };
+    this.#edited?.set(part, crop, view.width_px / picture.width);
+    this.#size = { width_px: view.width_px, height_px: view.height_px };
     byId("photo", HTMLDivElement).hidden = false;
     this.#writeCaption();
     this.#draw();

@@ -6,39 +6,28 @@ import { FrameQueue } from "./frame-queue.js";
 /**
  * @typedef {import("../worker/protocol.js").Request} Request
  * @typedef {import("../worker/protocol.js").Reply} Reply
- * @typedef {import("../worker/protocol.js").Stage} Stage
- * @typedef {import("../worker/protocol.js").FoundFaces} FoundFaces
+ * @typedef {import("../worker/protocol.js").FaceTask} FaceTask
  * @typedef {import("../worker/protocol.js").FollowedFrame} FollowedFrame
- * @typedef {import("../worker/protocol.js").PhotoEdit} PhotoEdit
- * @typedef {import("../worker/protocol.js").TextureTask} TextureTask
+ * @typedef {import("../worker/protocol.js").Opened} Opened
+ * @typedef {import("../worker/protocol.js").Stage} Stage
+ * @typedef {import("../work/face.js").SourceFile} SourceFile
  *
- * @typedef {object} PendingTask
- * @property {(result: any) => void} resolve
- * @property {(error: unknown) => void} reject
- * @property {string} diedCode error code if the worker dies
- *
- * @typedef {object} PendingSearch
- * @property {(found: FoundFaces) => void} resolve
+ * @typedef {object} Pending
+ * @property {(answer: any) => void} resolve
  * @property {(error: unknown) => void} reject
  * @property {(stage: Stage, fraction: number) => void} report
+ * @property {string} diedCode error code if the worker dies
  */
 
 /** Watchdog timeout while requests are pending. A worker that is loading reports progress, which resets it. */
 const SILENCE_MS = 60_000;
 
-const MAX_FACES = 20;
-
-/** Rejection reason when a newer photo supersedes this one. */
-export class Replaced extends Error {}
-
 /** Client of the vision worker; starts it, and restarts it after a crash. */
 export class VisionClient {
   /** @type {Worker | undefined} */
   #worker;
-  /** @type {Map<number, PendingSearch>} */
-  #searches = new Map();
-  /** @type {Map<number, PendingTask>} */
-  #tasks = new Map();
+  /** @type {Map<number, Pending>} */
+  #pending = new Map();
   #lastId = 0;
   #watchdog = 0;
   #starts = 0;
@@ -80,57 +69,50 @@ export class VisionClient {
   }
 
   /**
-   * Finds the faces in a photo. A newer call rejects the pending one with `Replaced`.
+   * Opens a photo, GLB or project: finds its faces, most prominent first.
    *
-   * @param {Blob} photo
-   * @param {number} [maxFaces]
+   * @param {Blob} file
    * @param {(stage: Stage, fraction: number) => void} [report]
-   * @returns {Promise<FoundFaces>}
+   * @returns {Promise<Opened>}
    */
-  async find(photo, maxFaces = MAX_FACES, report = () => {}) {
-    this.#rejectSearches(new Replaced());
-    this.start();
-    const id = ++this.#lastId;
-    return new Promise((resolve, reject) => {
-      this.#searches.set(id, { resolve, reject, report });
-      this.#post({ type: "find", id, photo, maxFaces });
-      this.#resetWatchdog();
-    });
+  open(file, report) {
+    return this.#request((id) => ({ type: "open", id, key: crypto.randomUUID(), file }), "worker-died", report);
   }
 
   /**
-   * Draws the edited photo as a file.
+   * A picture of a face, upright.
    *
-   * @param {PhotoEdit} edited
-   * @returns {Promise<Blob>}
+   * @param {string} picture
+   * @param {SourceFile[]} files that contain it
+   * @returns {Promise<ImageBitmap>}
    */
-  draw(edited) {
-    const buffers = [edited.from_px.buffer, edited.to_px.buffer, edited.triangles.buffer];
-    return this.#request((id) => ({ type: "draw", id, edited }), buffers, "photo-not-written");
+  picture(picture, files) {
+    return this.perform({ type: "picture", picture }, files, "worker-died");
   }
 
   /**
-   * Makes the whole-face texture, RGBA.
+   * Performs a task on a face.
    *
-   * @param {TextureTask} face
-   * @returns {Promise<Uint8Array>}
+   * @param {FaceTask} task
+   * @param {SourceFile[]} files with the pictures that it reads
+   * @param {string} diedCode error code if the worker dies
    */
-  texture(face) {
-    return this.#request((id) => ({ type: "texture", id, face }), [face.plan.buffer], "texture-not-made");
+  perform(task, files, diedCode) {
+    return this.#request((id) => ({ ...task, id, files }), diedCode);
   }
 
   /**
    * @param {(id: number) => Request} request
-   * @param {Transferable[]} transfer
    * @param {string} diedCode error code if the worker dies
+   * @param {(stage: Stage, fraction: number) => void} [report]
    * @returns {Promise<any>}
    */
-  #request(request, transfer, diedCode) {
+  #request(request, diedCode, report = () => {}) {
     this.start();
     const id = ++this.#lastId;
     return new Promise((resolve, reject) => {
-      this.#tasks.set(id, { resolve, reject, diedCode });
-      this.#post(request(id), transfer);
+      this.#pending.set(id, { resolve, reject, report, diedCode });
+      this.#post(request(id));
       this.#resetWatchdog();
     });
   }
@@ -185,15 +167,9 @@ export class VisionClient {
       case "unusable":
         return this.#terminate(worker, reply.error);
       case "progress":
-        return this.#searches.get(reply.id)?.report(reply.stage, reply.fraction);
-      case "found":
-        return this.#takeSearch(reply.id)?.resolve(reply.found);
+        return this.#pending.get(reply.id)?.report(reply.stage, reply.fraction);
       case "failed":
-        return (this.#takeSearch(reply.id) ?? this.#takeTask(reply.id))?.reject(reply.error);
-      case "drawn":
-        return this.#takeTask(reply.id)?.resolve(reply.file);
-      case "textured":
-        return this.#takeTask(reply.id)?.resolve(reply.pixels);
+        return this.#take(reply.id)?.reject(reply.error);
       case "followed":
         this.#frames.onMessage(reply.id, reply.followed);
         return this.#resetWatchdog();
@@ -202,6 +178,8 @@ export class VisionClient {
         return this.#resetWatchdog();
       case "trapped":
         return this.#restart(worker, reply.message);
+      default:
+        return this.#take(reply.id)?.resolve(reply.answer);
     }
   }
 
@@ -237,36 +215,22 @@ export class VisionClient {
     worker.terminate();
     if (worker === this.#worker) this.#worker = undefined;
     this.#resolveReady();
-    this.#rejectSearches(error);
-    for (const [id, { diedCode }] of [...this.#tasks]) this.#takeTask(id)?.reject(error.code === "worker-died" ? { ...error, code: diedCode } : error);
+    for (const [id, { diedCode }] of [...this.#pending]) this.#take(id)?.reject(error.code === "worker-died" ? { ...error, code: diedCode } : error);
     this.#frames.end(error);
     this.#resetWatchdog();
   }
 
   /** @param {number} id */
-  #takeSearch(id) {
-    const search = this.#searches.get(id);
-    this.#searches.delete(id);
+  #take(id) {
+    const pending = this.#pending.get(id);
+    this.#pending.delete(id);
     this.#resetWatchdog();
-    return search;
-  }
-
-  /** @param {number} id */
-  #takeTask(id) {
-    const task = this.#tasks.get(id);
-    this.#tasks.delete(id);
-    this.#resetWatchdog();
-    return task;
-  }
-
-  /** @param {unknown} error */
-  #rejectSearches(error) {
-    for (const id of [...this.#searches.keys()]) this.#takeSearch(id)?.reject(error);
+    return pending;
   }
 
   #resetWatchdog() {
     clearTimeout(this.#watchdog);
-    const isPending = this.#searches.size + this.#tasks.size > 0 || this.#frames.isWaiting;
+    const isPending = this.#pending.size > 0 || this.#frames.isWaiting;
     this.#watchdog = isPending ? setTimeout(() => this.#onSilence(), SILENCE_MS) : 0;
   }
 

@@ -42,10 +42,10 @@ function sizeOf({ width, height }) {
  * @param {boolean} isTransparent
  */
 function snapshot(studio, before, size_px, isTransparent) {
-  studio.setBefore(before);
+  studio.apply({ before });
   try {
     return studio.snapshot(...size_px, isTransparent);
   } finally {
-    studio.setBefore(0);
+    studio.apply({ before: 0 });
   }
 }

@@ -10,7 +10,7 @@ import { clipType } from "./recorder.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../work/autosave.js").Autosave} Autosave
+ * @typedef {{ face: import("../work/face.js").Face | undefined }} Opening
  */
 
 const TIMEOUT_MS = 60_000;
@@ -29,15 +29,15 @@ export class ClipPanel {
   #recording;
   #type = clipType();
   #host;
-  #autosave;
+  #opening;
 
   /**
    * @param {Host} host
-   * @param {Autosave} autosave
+   * @param {Opening} opening
    */
-  constructor(host, autosave) {
+  constructor(host, opening) {
     this.#host = host;
-    this.#autosave = autosave;
+    this.#opening = opening;
     if (!this.#type) this.#message = "clip.unsupported";
     this.#button.addEventListener("click", () => (this.#recording ? this.#recording.abort("cancelled") : this.#record()));
     addEventListener("keydown", (event) => this.#key(event), { capture: true });
@@ -62,8 +62,8 @@ export class ClipPanel {
 
   /** @param {AbortSignal} signal */
   async #clip(signal) {
-    const { face } = this.#autosave;
-    const isSameFace = () => this.#autosave.face === face;
+    const { face } = this.#opening;
+    const isSameFace = () => this.#opening.face === face;
     const onProgress = (/** @type {number} */ fraction) => this.#setProgress(fraction);
     const clip = await recordClip(this.#host, { type: this.#type ?? "", signal, isSameFace, onProgress });
     const extension = clip.type === "video/mp4" ? "mp4" : "webm";

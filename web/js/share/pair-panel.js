@@ -8,7 +8,7 @@ import { sideBySide } from "./side-by-side.js";
 
 /**
  * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../work/autosave.js").Autosave} Autosave
+ * @typedef {{ face: import("../work/face.js").Face | undefined }} Opening
  * @typedef {import("./side-by-side.js").Picture} Picture
  */
 
@@ -18,12 +18,12 @@ const TYPE = "image/png";
  * Sets up the buttons that download or share the face before and after as one picture.
  *
  * @param {Host} host
- * @param {Autosave} autosave
+ * @param {Opening} opening
  * @param {() => Promise<{ before: Picture, after: Picture }>} draw
  */
-export function setUpPairPanel(host, autosave, draw) {
+export function setUpPairPanel(host, opening, draw) {
   const make = async () => {
-    const name = fileName(autosave.face, "png", "before-after");
+    const name = fileName(opening.face, "png", "before-after");
     const { before, after } = await draw();
     return new File([await sideBySide(before, after, { before: t("before"), after: t("after") })], name, { type: TYPE });
   };

@@ -3,42 +3,45 @@ import { download } from "../page/download.js";
 import { showError } from "../page/notice.js";
 import { toast } from "../page/toast.js";
 import { onLocaleChange, t } from "../words/words.js";
+import { leadPhotoOf } from "../work/face.js";
 import { fileName } from "../work/file-name.js";
-import { pngOf } from "../work/pixels.js";
 
 /**
- * @typedef {import("../viewport/host.js").Host} Host
- * @typedef {import("../work/work.js").OpenedFace} OpenedFace
+ * @typedef {import("../work/face.js").Face} Face
  * @typedef {"png" | "jpeg"} PhotoFormat
+ *
+ * @typedef {object} Context
+ * @property {import("../viewport/host.js").Host} host
+ * @property {{ face: Face | undefined }} opening
+ * @property {import("../work/face-files.js").FaceFiles} files
+ * @property {{ pictureSize: { width: number, height: number } }} overlay
  */
 
 /** @type {Record<PhotoFormat, string>} */
 const EXTENSIONS = { png: "png", jpeg: "jpg" };
 
 /**
- * Sets up the download of the edited photo at full size. The worker draws it, to keep the main thread responsive.
+ * Sets up the download of the edited photo, at full size if its own file was opened.
  *
- * @param {Host} host
- * @param {{ face: OpenedFace | undefined }} autosave
- * @param {import("../photo/vision-client.js").VisionClient} vision
+ * @param {Context} context
  */
-export function setUpPhotoFile(host, autosave, vision) {
+export function setUpPhotoFile({ host, opening, files, overlay }) {
   const help = byId("export-photo-help", HTMLParagraphElement);
   let isWriting = false;
   const updateHelp = () => {
-    const { face } = autosave;
+    const { face } = opening;
     if (isWriting) help.textContent = t("export.photo.wait");
-    else if (face && !face.photo) help.textContent = t("export.photo.small", { width: face.pictureWidth_px, height: face.pictureHeight_px });
+    else if (face && leadPhotoOf(face).source.kind === "saved") help.textContent = t("export.photo.small", overlay.pictureSize);
     else help.textContent = t("export.photo.help");
   };
   const save = async (/** @type {PhotoFormat} */ format) => {
-    const { face } = autosave;
+    const { face } = opening;
     if (!face || isWriting) return;
     isWriting = true;
     updateHelp();
     try {
       const name = fileName(face, EXTENSIONS[format], "edited");
-      download(await editedPhoto(host, face, vision, format), name, `image/${format}`);
+      download(await files.editedPhoto(`image/${format}`), name, `image/${format}`);
       toast(t("export.saved", { name }));
     } catch (error) {
       showError(error);
@@ -50,32 +53,4 @@ export function setUpPhotoFile(host, autosave, vision) {
   for (const format of /** @type {const} */ (["png", "jpeg"])) onAction(`download-photo-${format}`, () => save(format));
   host.onChange(updateHelp);
   onLocaleChange(updateHelp);
-}
-
-/**
- * Returns the file if it is still readable: the user may have deleted it meanwhile.
- *
- * @param {Blob | undefined} file
- */
-async function readable(file) {
-  try {
-    await file?.slice(0, 1).arrayBuffer();
-    return file;
-  } catch {
-    return undefined;
-  }
-}
-
-/**
- * @param {Host} host
- * @param {OpenedFace} face
- * @param {import("../photo/vision-client.js").VisionClient} vision
- * @param {PhotoFormat} format
- */
-async function editedPhoto(host, face, vision, format) {
-  const warp = host.ask((studio) => studio.photoWarp());
-  const [from_px, to_px, triangles] = warp ? [warp.fromPx, warp.toPx, warp.triangles] : [new Float64Array(), new Float64Array(), new Uint32Array()];
-  warp?.free();
-  const photo = (await readable(face.photo)) ?? (await pngOf(face));
-  return vision.draw({ photo, width_px: face.width_px, from_px, to_px, triangles, format: `image/${format}` });
 }

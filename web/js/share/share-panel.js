@@ -7,9 +7,9 @@ import { setUpPairPanel } from "./pair-panel.js";
  * Sets up the before-and-after picture and the clip.
  *
  * @param {import("../viewport/host.js").Host} host
- * @param {import("../work/autosave.js").Autosave} autosave
+ * @param {{ face: import("../work/face.js").Face | undefined }} opening
  */
-export function setUpSharePanel(host, autosave) {
-  setUpPairPanel(host, autosave, () => beforeAndAfter(host, byId("picture-transparent", HTMLInputElement).checked));
-  new ClipPanel(host, autosave);
+export function setUpSharePanel(host, opening) {
+  setUpPairPanel(host, opening, () => beforeAndAfter(host, byId("picture-transparent", HTMLInputElement).checked));
+  new ClipPanel(host, opening);
 }

@@ -17,7 +17,7 @@ export class Swing {
     this.#host = host;
     this.#instance = host.instance;
     this.#turntable = host.read(({ turntable }) => turntable) ?? false;
-    if (this.#turntable) host.act((studio) => studio.setTurntable(false));
+    if (this.#turntable) host.apply({ turntable: false });
   }
 
   /** @param {number} phase of the swing, 0 to 1 */
@@ -29,7 +29,7 @@ export class Swing {
   end(restoresView) {
     if (this.#host.instance !== this.#instance) return;
     if (restoresView) this.#rotateTo(0);
-    if (this.#turntable) this.#host.act((studio) => studio.setTurntable(true));
+    if (this.#turntable) this.#host.apply({ turntable: true });
   }
 
   /** @param {number} angle radians */
@@ -37,6 +37,6 @@ export class Swing {
     // A drag over the canvas' current height rotates by 180°.
     const drag_px = ((angle - this.#angle) * this.#host.canvas.height) / Math.PI;
     this.#angle = angle;
-    this.#host.act((studio) => studio.orbit(drag_px, 0));
+    this.#host.apply({ orbit: [drag_px, 0] });
   }
 }

@@ -15,7 +15,7 @@ const THUMB_PX = 40;
  */
 export function setUpBeforeAfter(host) {
   const hold = (/** @type {boolean} */ held) => {
-    host.act((studio) => studio.setBefore(held ? 1 : 0));
+    host.apply({ before: held ? 1 : 0 });
     document.body.toggleAttribute("data-comparing", held || wipe.isShown);
   };
   const wipe = setUpWipe(host);
@@ -70,7 +70,7 @@ function setUpWipe(host) {
     const width = edge.clientWidth;
     const share = (THUMB_PX / 2 + edge.valueAsNumber * (width - THUMB_PX)) / width;
     words.style.setProperty("--wipe", `${100 * share}%`);
-    host.act((studio) => studio.setWipe(edge.hidden ? undefined : share));
+    host.apply({ wipe: edge.hidden ? undefined : share });
   };
   const show = (/** @type {boolean} */ shown) => {
     if (edge.hidden !== shown) return;

@@ -51,7 +51,7 @@ export class DeviceLossHandler {
   #markLost() {
     this.#isAvailable = false;
     clearTimeout(this.#restoreTimer);
-      this.#restoreTimer = setTimeout(() => this.#report("the browser did not restore the context"), RESTORE_TIMEOUT_MS);
+    this.#restoreTimer = setTimeout(() => this.#report("the browser did not restore the context"), RESTORE_TIMEOUT_MS);
   }
 
   #markAvailable() {

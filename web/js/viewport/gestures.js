@@ -1,7 +1,6 @@
 /**
  * @typedef {import("./host.js").Host} Host
  * @typedef {"x" | "y" | "z"} AxisName
- * @typedef {import("../../wasm/rosto-studio-web.js").PointerName} PointerName
  * @typedef {{ x: number, y: number, button: number }} Press in CSS px of the window
  * @typedef {{ x: number, y: number, apart: number }} Spread centre and distance of the fingers, in CSS px
  *
@@ -37,6 +36,11 @@ export class Gestures {
   #moved_px = 0;
   /** Pointer that drags a point. @type {number | undefined} */
   #grabPointer;
+  #isDragging = false;
+  /** Axis to which the drag is restricted. @type {string | undefined} */
+  #along;
+  /** Influence radius, which a pinch changes by less than a step at a time. */
+  #radius_mm = 0;
   #host;
   #listener;
 
@@ -48,6 +52,11 @@ export class Gestures {
     this.#host = host;
     this.#listener = listener;
     const { canvas } = host;
+    host.onChange(({ isDragging, radiusMm }) => {
+      this.#isDragging = isDragging;
+      if (Math.round(this.#radius_mm) !== radiusMm) this.#radius_mm = radiusMm;
+    });
+    host.onTick(({ along }) => (this.#along = along));
     canvas.addEventListener("pointerdown", (event) => this.#press(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#release(event));
@@ -98,9 +107,9 @@ export class Gestures {
     // Ends a change of the radius; the drag continues.
     if (this.#grabPointer !== undefined && this.#grabPointer !== event.pointerId) return;
     this.#grabPointer = undefined;
-    this.#host.act((studio) => studio.release());
+    this.#host.apply("release");
     const place = this.#position(event);
-    if (isClick) this.#host.act((studio) => (event.altKey ? studio.pinUnder(...place) : studio.selectUnder(...place)));
+    if (isClick) this.#host.apply(event.altKey ? { "pin-under": place } : { "select-under": place });
     // A mouse stays where it is; a finger is gone.
     if (event.pointerType !== "touch") this.#listener.hover(...place);
   }
@@ -109,32 +118,24 @@ export class Gestures {
   #cancel(event) {
     this.#pressed.delete(event.pointerId);
     this.#mayClick = false;
-    if (this.#isDragging) this.#host.act((studio) => studio.cancel());
+    if (this.#isDragging) this.#host.apply("cancel");
     this.#endGrab();
   }
 
   #endGrab() {
     this.#grabPointer = undefined;
-    this.#host.act((studio) => studio.release());
-  }
-
-  get #isDragging() {
-    return this.#host.ask((studio) => studio.dragging) ?? false;
+    this.#host.apply("release");
   }
 
   /** Grabs the point under the pointer, if there is one. @param {PointerEvent} event */
   #grab(event) {
-    const pointer = /** @type {PointerName} */ (event.pointerType);
-    const place = this.#position(event);
-    const hasGrabbed = this.#host.ask((studio) => studio.press(...place, pointer)) ?? false;
-    if (hasGrabbed) this.#grabPointer = event.pointerId;
-    this.#host.requestFrame();
+    const applied = this.#host.apply({ press: [this.#position(event), event.pointerType === "touch"] });
+    if (applied?.hasGrabbed) this.#grabPointer = event.pointerId;
   }
 
   /** @param {PointerEvent} event */
   #drag(event) {
-    const place = this.#position(event);
-    this.#host.act((studio) => studio.drag(...place, event.shiftKey));
+    this.#host.apply({ drag: [this.#position(event), event.shiftKey] });
     this.#listener.gesture("drag");
   }
 
@@ -144,10 +145,11 @@ export class Gestures {
     const axis = AXIS_KEYS[event.key.toLowerCase()];
     if (event.key === "Escape") {
       event.stopPropagation();
-      this.#host.act((studio) => studio.cancel());
+      this.#host.apply("cancel");
     } else if (axis) {
       event.preventDefault();
-      this.#host.act((studio) => studio.dragAlong(axis));
+      // The same axis again lifts the restriction.
+      this.#host.apply({ along: axis === this.#along ? undefined : axis });
     }
   }
 
@@ -157,13 +159,15 @@ export class Gestures {
     const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
     const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
     if (this.#isDragging) this.#scaleRadius(1 / factor);
-    else this.#host.act((studio) => studio.zoom(factor));
+    else this.#host.apply({ zoom: factor });
   }
 
   /** @param {number} factor scale of the influence radius */
   #scaleRadius(factor) {
     if (!Number.isFinite(factor) || factor <= 0) return;
-    this.#host.act((studio) => studio.widen(factor));
+    const { min, max } = this.#host.catalogue.radius;
+    this.#radius_mm = Math.min(max, Math.max(min, this.#radius_mm * factor));
+    this.#host.apply({ radius: Math.round(this.#radius_mm) });
     this.#listener.radiusChanged();
   }
 
@@ -173,8 +177,9 @@ export class Gestures {
    * @param {boolean} moves pan instead of turn
    */
   #turn(dx, dy, moves) {
-    const ratio = devicePixelRatio;
-    this.#host.act((studio) => (moves ? studio.pan(dx * ratio, dy * ratio) : studio.orbit(dx * ratio, dy * ratio)));
+    /** @type {[number, number]} */
+    const by_px = [dx * devicePixelRatio, dy * devicePixelRatio];
+    this.#host.apply(moves ? { pan: by_px } : { orbit: by_px });
     if (!moves) this.#listener.gesture("turn");
   }
 
@@ -184,7 +189,7 @@ export class Gestures {
    */
   #pinch(before, after) {
     this.#turn(after.x - before.x, after.y - before.y, this.#pressed.size > 2);
-    if (before.apart > 0 && after.apart > 0) this.#host.act((studio) => studio.zoom(after.apart / before.apart));
+    if (before.apart > 0 && after.apart > 0) this.#host.apply({ zoom: after.apart / before.apart });
   }
 
   /**

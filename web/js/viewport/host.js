@@ -6,9 +6,10 @@ import { watchWebGl } from "./webgl-errors.js";
 
 /**
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
- * @typedef {import("../../wasm/rosto-studio-web.js").StudioState} StudioState
- * @typedef {import("../../wasm/rosto-studio-web.js").StudioTick} StudioTick
- * @typedef {import("../../wasm/rosto-studio-web.js").ChangeName} ChangeName
+ * @typedef {import("../../wasm/rosto-studio-web.js").State} State
+ * @typedef {import("../../wasm/rosto-studio-web.js").Tick} Tick
+ * @typedef {import("../../wasm/rosto-studio-web.js").Changed} Changed
+ * @typedef {import("../../wasm/rosto-studio-web.js").Intent} Intent
  *
  * @typedef {object} Notices
  * @property {(thrown: unknown, owner: "studio" | "gpu") => void} show
@@ -33,8 +34,8 @@ const RESTARTS_WITHIN_MS = 60_000;
 
 /**
  * Owns the studio, and with it the user's work, and notifies the page of changes. Draws in animation frames, and only
- * if something has changed. Replaces the studio after a trap of its module. Other code reaches the studio through
- * `act`, `ask` and `answer`, for the length of one call.
+ * if something has changed. Replaces the studio after a trap of its module. Other code applies intents, and reaches the
+ * studio's methods through `act`, `ask` and `answer`, for the length of one call.
  */
 export class Host {
   #frameIsPending = false;
@@ -45,9 +46,9 @@ export class Host {
   /** @type {number[]} times of the restarts, in ms */
   #restarts = [];
   #gpu;
-  /** @type {Set<(state: StudioState) => void>} */
+  /** @type {Set<(state: State) => void>} */
   #changeListeners = new Set();
-  /** @type {Set<(tick: StudioTick) => void>} */
+  /** @type {Set<(tick: Tick) => void>} */
   #tickListeners = new Set();
   /** @type {Set<() => void>} */
   #frameListeners = new Set();
@@ -82,6 +83,8 @@ export class Host {
   constructor(canvas, studio, notices) {
     this.canvas = canvas;
     this.#studio = studio;
+    /** Ids and ranges, which do not change. */
+    this.catalogue = studio.catalogue();
     this.#notices = notices;
     this.#gpu = new DeviceLossHandler(this, notices);
     this.#followSize();
@@ -110,30 +113,51 @@ export class Host {
   }
 
   /**
-   * Runs an intent, notifies the listeners of the change, and shows errors.
+   * Applies an intent, notifies the listeners of the change, and shows errors. Returns the studio's answer; undefined
+   * after an error or during a restart.
    *
-   * @param {(studio: Studio) => ChangeName | void} intent
+   * @param {Intent} intent
    */
-  act(intent) {
-    if (this.#isBroken) return;
-    try {
-      this.attempt(intent);
-    } catch (error) {
-      this.fail(error);
-    }
+  apply(intent) {
+    return this.#guarded(() => this.attempt(intent));
+  }
+
+  /**
+   * Like {@link apply}, but throws errors.
+   *
+   * @param {Intent} intent
+   */
+  attempt(intent) {
+    const applied = this.answer((studio) => studio.apply(intent));
+    this.#follow(applied.changed);
+    return applied;
+  }
+
+  /**
+   * Calls a method that changes the studio, notifies the listeners of the change, and shows errors.
+   *
+   * @param {(studio: Studio) => Changed | void} call
+   */
+  act(call) {
+    this.#guarded(() => this.perform(call));
   }
 
   /**
    * Like {@link act}, but throws errors.
    *
-   * @param {(studio: Studio) => ChangeName | void} intent
+   * @param {(studio: Studio) => Changed | void} call
    */
-  attempt(intent) {
-    const changed = this.answer(intent);
+  perform(call) {
+    this.#follow(this.answer(call));
+  }
+
+  /** @param {Changed | void} changed */
+  #follow(changed) {
+    const isDocument = changed === "document" || changed === "mesh";
     if (changed !== "nothing") this.requestFrame();
-    if (changed === "document") this.announce();
+    if (isDocument) this.announce();
     if (changed === "tick") this.#notifyTick();
-    if (changed === "document" || changed === "tick") this.updatePhoto();
+    if (isDocument || changed === "tick") this.updatePhoto();
   }
 
   /**
@@ -144,9 +168,20 @@ export class Host {
    * @returns {T | undefined}
    */
   ask(question) {
+    return this.#guarded(() => this.answer(question));
+  }
+
+  /**
+   * Shows errors; undefined after an error or during a restart.
+   *
+   * @template T
+   * @param {() => T} call
+   * @returns {T | undefined}
+   */
+  #guarded(call) {
     if (this.#isBroken) return undefined;
     try {
-      return this.answer(question);
+      return call();
     } catch (error) {
       this.fail(error);
       return undefined;
@@ -216,16 +251,11 @@ export class Host {
    * Reads from the state; undefined after an error or during a restart.
    *
    * @template T
-   * @param {(state: StudioState, studio: Studio) => T} take
+   * @param {(state: State, studio: Studio) => T} take
    * @returns {T | undefined}
    */
   read(take) {
-    return this.ask((studio) => {
-      const state = studio.state();
-      const value = take(state, studio);
-      this.#release(state);
-      return value;
-    });
+    return this.ask((studio) => take(studio.state(), studio));
   }
 
   /**
@@ -244,18 +274,12 @@ export class Host {
     }
   }
 
-  /** Frees an object, unless its module has trapped meanwhile. @param {{ free: () => void }} object */
-  #release(object) {
-    if (this.#isBroken) detach(object);
-    else object.free();
-  }
-
-  /** @param {(state: StudioState) => void} listener called after each change of the document or of a choice */
+  /** @param {(state: State) => void} listener called after each change of the document or of a choice */
   onChange(listener) {
     this.#changeListeners.add(listener);
   }
 
-  /** @param {(tick: StudioTick) => void} listener called after each change, and for each tick of an edit in progress */
+  /** @param {(tick: Tick) => void} listener called after each change, and for each tick of an edit in progress */
   onTick(listener) {
     this.#tickListeners.add(listener);
   }
@@ -277,10 +301,10 @@ export class Host {
 
   /** Notifies all change and tick listeners. */
   announce() {
-    this.read((state) => {
-      for (const listener of this.#changeListeners) this.ask(() => listener(state));
-    });
-    this.#notifyTick();
+    const state = this.ask((studio) => studio.state());
+    if (!state) return;
+    for (const listener of this.#changeListeners) this.ask(() => listener(state));
+    for (const listener of this.#tickListeners) this.ask(() => listener(state.tick));
   }
 
   /**
@@ -311,7 +335,6 @@ export class Host {
     const tick = this.ask((studio) => studio.tick());
     if (!tick) return;
     for (const listener of this.#tickListeners) this.ask(() => listener(tick));
-    this.#release(tick);
   }
 
   /** @param {number} time_ms */
@@ -360,7 +383,7 @@ export class Host {
     const observer = new ResizeObserver(([entry]) => {
       if (!entry) return;
       const size = deviceSize(entry);
-      this.#fitSize = () => this.act((studio) => studio.resize(size.width_px, size.height_px, devicePixelRatio));
+      this.#fitSize = () => this.apply({ resize: [[size.width_px, size.height_px], devicePixelRatio] });
       this.#fitSize();
     });
     observer.observe(this.canvas);

@@ -1,11 +1,12 @@
-import { takeTargetName } from "../words/names.js";
+import { targetName } from "../words/names.js";
 import { t, formatNumber } from "../words/words.js";
 import { Gestures } from "./gestures.js";
 import { placeTag } from "./tag-place.js";
 
 /**
  * @typedef {import("./host.js").Host} Host
- * @typedef {import("./host.js").StudioState} StudioState
+ * @typedef {import("./host.js").State} State
+ * @typedef {import("../words/names.js").Target} Target
  *
  * @typedef {object} MarkOptions
  * @property {HTMLOutputElement} tag shows the landmark's name
@@ -20,8 +21,13 @@ export class LandmarkMarks {
   #options;
   /** @type {number | undefined} */
   #selected;
+  /** Target of the selection. @type {Target | undefined} */
+  #selectedTarget;
   /** @type {number | undefined} */
   #hovered;
+  /** Target of a drag from the hovered point. @type {Target | undefined} */
+  #hoveredTarget;
+  #isDragging = false;
   /** Pointer position over the view while nothing is pressed. @type {[number, number] | undefined} */
   #pointer_px;
   /** Influence radius, in mm. */
@@ -66,19 +72,21 @@ export class LandmarkMarks {
     });
     options.overlay?.listen({
       hover: (landmark) => this.#highlight(landmark),
-      choose: (landmark) => host.act((studio) => studio.selectAt(landmark)),
-      press: () => host.act((studio) => studio.choose("scene", "picture")),
+      choose: (landmark) => host.apply({ "select-at": landmark }),
+      press: () => host.apply({ scene: "picture" }),
     });
   }
 
-  /** @param {StudioState} state */
-  #update({ selected, isSliding, radiusMm, leavesPlane, refusal }) {
+  /** @param {State} state */
+  #update({ selected, target, isSliding, isDragging, radiusMm, leavesPlane, refusal }) {
     // A proportion slider moves other points.
     this.#selected = isSliding ? undefined : selected;
     this.#radius_mm = radiusMm;
     this.#leavesPlane = leavesPlane;
     this.#refusal = refusal;
-    if (!this.host.ask((studio) => studio.dragging)) this.#isRadiusChanged = false;
+    this.#selectedTarget = target;
+    this.#isDragging = isDragging;
+    if (!isDragging) this.#isRadiusChanged = false;
     // The change may have moved another point under the pointer.
     this.#hovered = undefined;
     this.#write();
@@ -94,8 +102,8 @@ export class LandmarkMarks {
 
   /** Highlights a landmark hovered on the photo. @param {number | undefined} landmark */
   #highlight(landmark) {
-    this.host.act((studio) => studio.pointAt(landmark));
-    this.#showName(landmark);
+    const applied = this.host.apply({ "point-at": landmark });
+    this.#showName(landmark, applied?.hoveredTarget);
   }
 
   /**
@@ -104,37 +112,42 @@ export class LandmarkMarks {
    */
   #hover(x_px, y_px) {
     this.#pointer_px = [x_px, y_px];
-    this.#setHovered(this.host.ask((studio) => studio.hover(x_px, y_px)));
-    this.host.requestFrame();
+    this.#setHovered(this.host.apply({ hover: this.#pointer_px }));
   }
 
   /** Repeats the hit test after each frame: the face may have moved under a resting pointer. */
   #repeatHitTest() {
     const place = this.#pointer_px;
     if (!place) return;
-    const vertex = this.host.ask((studio) => studio.hover(...place));
-    if (vertex === this.#hovered) return;
-    this.#setHovered(vertex);
+    // Without `apply`, which would request a frame each time.
+    const applied = this.host.ask((studio) => studio.apply({ hover: place }));
+    if (applied?.hovered === this.#hovered) return;
+    this.#setHovered(applied);
     this.host.requestFrame();
   }
 
-  /** @param {number | undefined} vertex vertex under the pointer */
-  #setHovered(vertex) {
-    this.host.canvas.classList.toggle("over-landmark", vertex !== undefined);
-    this.#showName(vertex);
+  /** @param {ReturnType<Host["apply"]>} applied answer to a movement of the pointer */
+  #setHovered(applied) {
+    this.host.canvas.classList.toggle("over-landmark", applied?.hovered !== undefined);
+    this.#showName(applied?.hovered, applied?.hoveredTarget);
   }
 
-  /** @param {number | undefined} landmark */
-  #showName(landmark) {
-    if (landmark === this.#hovered) return;
-    this.#hovered = landmark;
+  /**
+   * @param {number | undefined} vertex
+   * @param {Target | undefined} target
+   */
+  #showName(vertex, target) {
+    if (vertex === this.#hovered) return;
+    this.#hovered = vertex;
+    this.#hoveredTarget = target;
     this.#write();
   }
 
   #write() {
     this.#options.overlay?.mark(this.#selected, this.#hovered);
-    const named = this.#hovered ?? this.#selected;
-    const name = named === undefined ? undefined : this.host.ask((studio) => takeTargetName(studio.targetAt(named)));
+    const selected = this.#selected === undefined ? undefined : this.#selectedTarget;
+    const target = this.#hovered === undefined ? selected : this.#hoveredTarget;
+    const name = target && targetName(target);
     this.#tag.hidden = name === undefined;
     if (name === undefined) return;
     this.#tag.value = this.#tagText(name);
@@ -143,8 +156,7 @@ export class LandmarkMarks {
 
   /** @param {string} name name of the dragged or hovered point */
   #tagText(name) {
-    const isDragging = this.host.ask((studio) => studio.dragging) ?? false;
-    if (!isDragging) return name;
+    if (!this.#isDragging) return name;
     if (this.#refusal) return t("landmark.refuses", { name });
     if (this.#isAtEnd) return t("landmark.at-end", { name });
     if (this.#isRadiusChanged) return t("landmark.reach", { name, mm: formatNumber(this.#radius_mm, 0) });
@@ -156,8 +168,7 @@ export class LandmarkMarks {
     if (named === undefined) return;
     const place = this.host.ask((studio) => studio.screenPosition(named));
     if (!place) return;
-    const [x, y] = [place.x / devicePixelRatio, place.y / devicePixelRatio];
-    place.free();
+    const [x = 0, y = 0] = [...place].map((side) => side / devicePixelRatio);
     this.#tag.dataset["place"] = `${x} ${y}`;
     const box = this.host.ask((studio) => [...studio.screenBox()]) ?? [];
     const [left = 0, top = 0, right = 0, bottom = 0] = box.map((side) => side / devicePixelRatio);

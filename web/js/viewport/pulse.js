@@ -17,8 +17,8 @@ export function setUpPulse(host) {
     if (dot.hidden) return;
     const at = host.ask((studio) => studio.screenPosition(NOSE_TIP));
     if (!at) return;
-    dot.style.translate = `${at.x / devicePixelRatio}px ${at.y / devicePixelRatio}px`;
-    at.free();
+    const [x = 0, y = 0] = at;
+    dot.style.translate = `${x / devicePixelRatio}px ${y / devicePixelRatio}px`;
   };
   let isWanted = false;
   let isSelected = false;

@@ -12,14 +12,14 @@ export function setUpScene(host) {
     if (event.key.toLowerCase() !== "p" || event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
     if (document.body.dataset["state"] === "face" && !document.querySelector("dialog[open]")) toggle(host);
   });
-  byId("photo-to-stage", HTMLButtonElement).addEventListener("click", () => host.act((studio) => studio.choose("scene", "picture")));
-  host.onChange((state) => {
-    document.body.dataset["scene"] = state.chosen("scene") ?? "solid";
+  byId("photo-to-stage", HTMLButtonElement).addEventListener("click", () => host.apply({ scene: "picture" }));
+  host.onChange(({ chosen }) => {
+    document.body.dataset["scene"] = chosen["scene"] ?? "solid";
   });
 }
 
 /** @param {Host} host */
 function toggle(host) {
   const scene = document.body.dataset["scene"] === "picture" ? "solid" : "picture";
-  host.act((studio) => studio.choose("scene", scene));
+  host.apply({ scene });
 }

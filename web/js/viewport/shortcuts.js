@@ -46,14 +46,15 @@ export function setUpEditKeys(actions) {
 function moveByArrow(host, event, onGesture) {
   const arrow = ARROWS[event.key];
   if (!arrow) return false;
-  const [dx, dy] = arrow.map((direction) => direction * STEP_PX * devicePixelRatio);
-  if (dx === undefined || dy === undefined) return false;
-  host.act((studio) => {
-    if (event.altKey) return studio.zoom(dy < 0 ? ZOOM_STEP : 1 / ZOOM_STEP);
-    if (event.shiftKey && (event.ctrlKey || event.metaKey)) return studio.pan(dx, dy);
+  const [x, y] = arrow;
+  /** @type {[number, number]} */
+  const by_px = [x * STEP_PX * devicePixelRatio, y * STEP_PX * devicePixelRatio];
+  if (event.altKey) host.apply({ zoom: y < 0 ? ZOOM_STEP : 1 / ZOOM_STEP });
+  else if (event.shiftKey && (event.ctrlKey || event.metaKey)) host.apply({ pan: by_px });
+  else {
     onGesture?.("turn");
-    return studio.orbit(dx, dy);
-  });
+    host.apply({ orbit: by_px });
+  }
   return true;
 }
 
@@ -66,7 +67,7 @@ function chooseView(host, event) {
   const views = /** @type {const} */ ({ f: "front", l: "left", t: "top", " ": "reset" });
   const key = event.key.toLowerCase();
   if (!(key in views)) return false;
-  host.act((studio) => studio.view(views[/** @type {keyof typeof views} */ (key)]));
+  host.apply({ "go-to": views[/** @type {keyof typeof views} */ (key)] });
   return true;
 }
 
@@ -78,6 +79,6 @@ function chooseView(host, event) {
  */
 function clearSelection(host, event) {
   if (event.key !== "Escape") return false;
-  host.act((studio) => studio.select());
+  host.apply({ select: undefined });
   return true;
 }

@@ -30,13 +30,13 @@ export function setUpSplitView(host) {
   };
   button.addEventListener("click", () => {
     const wanted = Boolean(photo.hidden);
-    if (wanted) host.act((studio) => studio.choose("scene", "solid"));
+    if (wanted) host.apply({ scene: "solid" });
     setWanted(wanted);
   });
-  photo.addEventListener("click", () => host.act((studio) => studio.choose("scene", "picture")));
+  photo.addEventListener("click", () => host.apply({ scene: "picture" }));
   WIDE_WINDOW.addEventListener("change", show);
-  host.onChange((state) => {
-    isPhoto = state.chosen("scene") === "picture";
+  host.onChange(({ chosen }) => {
+    isPhoto = chosen["scene"] === "picture";
     show();
   });
 }

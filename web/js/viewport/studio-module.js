@@ -9,7 +9,7 @@ import { asPageError } from "../page/page-error.js";
  *
  * @typedef {import("../../wasm/rosto-studio-web.js").Studio} Studio
  * @typedef {(from: { module_or_path: WebAssembly.Module }) => Promise<unknown>} Instantiate
- * @typedef {Pick<typeof forWebGpu, "createRenderer" | "StudioFileOptions" | "reopenGlb" | "reopenProject" | "sniffFile" | "solidRangeMm" | "start" | "defaultDensity"> & { default: Instantiate }} StudioModule
+ * @typedef {Pick<typeof forWebGpu, "createRenderer" | "start"> & { default: Instantiate }} StudioModule
  */
 
 /** Errors after which the canvas is still free for WebGL2. */
@@ -42,12 +42,6 @@ export function markTrapped() {
 /** The error thrown between a trap and the next instance. */
 export function restartingError() {
   return { code: "restarting", message: "the module is restarting", hint: "" };
-}
-
-/** Frees a wasm object, unless its module has trapped. @param {{ free: () => void }} object */
-export function release(object) {
-  if (hasTrapped) detach(object);
-  else object.free();
 }
 
 /**

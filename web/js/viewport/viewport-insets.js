@@ -25,7 +25,7 @@ export function setUpViewportInsets(host) {
     const left = photoPane.hidden ? 0 : right - stage.left;
     const sides = [lowest - stage.top, 0, stage.bottom - highest, left].map((side) => side * devicePixelRatio);
     const [above = 0, after = 0, below = 0, before = 0] = sides;
-    host.act((studio) => studio.setViewportInsets(above, after, below, before));
+    host.apply({ "viewport-insets": [above, after, below, before] });
   };
   const observer = new ResizeObserver(apply);
   for (const element of [host.canvas, photoPane, ...overlays()]) observer.observe(element);

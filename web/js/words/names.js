@@ -4,8 +4,7 @@ import { isWord, t, formatNumber } from "./words.js";
 /**
  * Display names: the studio provides ids, and the words files their names.
  *
- * @typedef {import("../../wasm/rosto-studio-web.js").StudioTarget} StudioTarget
- * @typedef {Pick<StudioTarget, "kind" | "id" | "number" | "part">} Target
+ * @typedef {import("../../wasm/rosto-studio-web.js").Target} Target
  */
 
 /**
@@ -81,18 +80,6 @@ export function targetName({ kind, id, number = 0, part }) {
     default:
       return idName(kind, id);
   }
-}
-
-/**
- * Returns the target's name, and frees the target.
- *
- * @param {StudioTarget | undefined} target
- */
-export function takeTargetName(target) {
-  if (!target) return undefined;
-  const { kind, id, number, part } = target;
-  target.free();
-  return targetName({ kind, id, number, part });
 }
 
 /**

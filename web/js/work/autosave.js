@@ -1,43 +1,36 @@
 import { byId } from "../page/dom.js";
 import { asPageError } from "../page/page-error.js";
 import { setSavesWork, showError, showRemark } from "../page/notice.js";
-import { editStateOf } from "./edit-state.js";
 import { allSlots, prune } from "./slots.js";
 import { StoredFace } from "./stored-face.js";
 import { rememberTabSlot, tabSlot } from "./tab-slot.js";
 import { TimeoutError } from "./timeout.js";
 
-/**
- * @typedef {import("./work.js").Work} Work
- * @typedef {import("./work.js").OpenedFace} OpenedFace
- * @typedef {import("../viewport/host.js").Host} Host
- */
+/** @typedef {import("./face.js").Face} Face */
 
 /** Debounce delay after the last change. */
 const SAVE_DELAY_MS = 200;
 
 /**
  * Saves the work in this browser, so that it survives a reload or a crash, and offers it on the next visit. Each opened
- * face has one slot, locked by this tab while the face is on the screen. The edits of earlier faces also stay in
- * memory, so that the user can return to them without storage.
+ * face has one slot, locked by this tab while the face is on the screen.
  */
 export class Autosave {
   /** The face on the screen. @type {StoredFace | undefined} */
   #now;
-  /** @type {WeakMap<OpenedFace, StoredFace>} */
+  /** @type {WeakMap<Face, StoredFace>} */
   #visited = new WeakMap();
-  /** @type {Host | undefined} */
-  #host;
+  #remember;
   #timer = 0;
   #hasReported = false;
-  /** Set after a crash until the work is restored: the studio's state must not be saved meanwhile. */
-  #isSuspended = false;
   /** Read from the database, about to be opened. @type {StoredFace | undefined} */
   #reopened;
   /** Slots that were read but could not be opened. @type {Set<string>} */
   #rejected = new Set();
 
-  constructor() {
+  /** @param {() => void} remember updates the face on the screen with its current edits */
+  constructor(remember) {
+    this.#remember = remember;
     addEventListener("pagehide", () => this.#onPageHide());
     addEventListener("pageshow", ({ persisted }) => {
       if (persisted) this.#onPageRestored();
@@ -47,24 +40,10 @@ export class Autosave {
     });
   }
 
-  /** The face on the screen. */
-  get face() {
-    return this.#now?.face;
-  }
-
-  /**
-   * The edits of a face opened earlier in this visit.
-   *
-   * @param {OpenedFace} face
-   */
-  lastEditsOf(face) {
-    return this.#visited.get(face)?.edits;
-  }
-
   /**
    * Offers the work of the last visit: this tab's before a reload, or the latest that no tab has open.
    *
-   * @param {(read: () => Promise<Work>) => void} open
+   * @param {(read: () => Promise<Face>) => void} open
    */
   async offer(open) {
     const [offered] = await this.#freeSlots(tabSlot()).catch(() => []);
@@ -76,26 +55,14 @@ export class Autosave {
     for (const other of document.querySelectorAll("#welcome .primary")) other.classList.toggle("primary", other === button);
   }
 
-  /**
-   * Suspends saving after the studio has crashed.
-   *
-   * @returns {Work | undefined} the last saved work, to be restored
-   */
-  suspend() {
-    this.#isSuspended = true;
-    clearTimeout(this.#timer);
-    return this.#now?.edits && { face: this.#now.face, ...this.#now.edits };
-  }
-
-  /** Saves after each change from now on. @param {Host} host */
+  /** Saves after each change from now on. @param {import("../viewport/host.js").Host} host */
   follow(host) {
-    this.#host = host;
     host.onChange(() => {
       if (this.#now) this.#saveSoon();
     });
   }
 
-  /** Saves pending changes, before another face is opened. */
+  /** Saves pending changes now. */
   flush() {
     this.#save();
   }
@@ -103,33 +70,19 @@ export class Autosave {
   /**
    * Starts saving a face that was just opened, to its earlier slot if it has one.
    *
-   * @param {OpenedFace} face
+   * @param {Face} face
    */
   start(face) {
     const [before, reopened] = [this.#now, this.#reopened];
     const now = this.#visited.get(face) ?? (reopened?.face === face ? reopened : new StoredFace(face));
     for (const other of [before, reopened]) if (other !== now) other?.unlock();
     now.lock();
-    [this.#isSuspended, this.#reopened, this.#now] = [false, undefined, now];
+    [this.#reopened, this.#now] = [undefined, now];
     this.#visited.set(face, now);
     this.#rejected.delete(now.slot);
     rememberTabSlot(now.slot);
-    now.edits = editStateOf(this.#host);
     // Deferred: the current task brings the face to the screen.
     this.#saveSoon();
-  }
-
-  /**
-   * Replaces the current face after its photos have changed. The slot stays the same.
-   *
-   * @param {OpenedFace} face
-   */
-  replaceFace(face) {
-    if (!this.#now) return;
-    this.#visited.delete(this.#now.face);
-    this.#visited.set(face, this.#now);
-    this.#now.face = face;
-    this.#save();
   }
 
   /**
@@ -147,16 +100,16 @@ export class Autosave {
    * Reads the offered work. If another tab has opened it or it is corrupt, reads the next.
    *
    * @param {string} offered
-   * @returns {Promise<Work>}
+   * @returns {Promise<Face>}
    */
   async #reopen(offered) {
     this.#reopened?.unlock();
     this.#reopened = undefined;
     try {
       for (const slot of await this.#freeSlots(offered)) {
-        const work = await this.#readSlot(slot);
-        if (work && slot !== offered) showRemark("earlier-work", {});
-        if (work) return work;
+        const face = await this.#readSlot(slot);
+        if (face && slot !== offered) showRemark("earlier-work", {});
+        if (face) return face;
       }
       const isElsewhere = (await allSlots()).some(({ slot, isLocked }) => isLocked && slot === offered);
       throw { code: isElsewhere ? "open-elsewhere" : "bad-kept-work", message: `slot ${offered}`, hint: "" };
@@ -167,16 +120,16 @@ export class Autosave {
 
   /**
    * @param {string} slot
-   * @returns {Promise<Work | undefined>} undefined if another tab holds the slot, or it is corrupt
+   * @returns {Promise<Face | undefined>} undefined if another tab holds the slot, or it is corrupt
    */
   async #readSlot(slot) {
     try {
-      const read = await StoredFace.read(slot);
-      if (!read) return undefined;
+      const stored = await StoredFace.read(slot);
+      if (!stored) return undefined;
       // Removed again once the face is open.
       this.#rejected.add(slot);
-      this.#reopened = read.stored;
-      return read.work;
+      this.#reopened = stored;
+      return stored.face;
     } catch (error) {
       if (error instanceof TimeoutError) throw error;
       console.warn(error);
@@ -192,10 +145,8 @@ export class Autosave {
   async #save() {
     clearTimeout(this.#timer);
     const now = this.#now;
-    const edits = this.#isSuspended ? undefined : now && editStateOf(this.#host);
-    if (!now || !edits) return;
-    // StoredFace detects changes by identity.
-    if (JSON.stringify(edits) !== JSON.stringify(now.edits)) now.edits = edits;
+    if (!now) return;
+    this.#remember();
     try {
       const isNew = await now.save();
       if (now === this.#now) rememberTabSlot(now.slot);

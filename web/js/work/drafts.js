@@ -2,10 +2,10 @@
  * Drafts in local storage: while a page unloads, there is no time for an asynchronous database write. The save order is
  * kept here too, shared by all tabs; it is a counter because clocks can go back.
  *
- * @typedef {import("./work.js").EditState} EditState
- * @typedef {EditState & { order: number }} StoredEdits `order` increases with each save
+ * @typedef {import("./row-checks.js").Work} Work
+ * @typedef {import("./row-checks.js").StoredWork} StoredWork
  */
-import { isEditRow } from "./row-checks.js";
+import { isWorkRow } from "./row-checks.js";
 
 const PREFIX = "rosto-drafts-";
 const ORDER = "rosto-order";
@@ -23,20 +23,20 @@ export function nextOrder(latest = 0) {
 
 /**
  * @param {string} slot
- * @param {EditState} edits
+ * @param {Work} work
  */
-export function writeDraft(slot, edits) {
-  write(PREFIX + slot, JSON.stringify({ ...edits, order: nextOrder() }));
+export function writeDraft(slot, work) {
+  write(PREFIX + slot, JSON.stringify({ ...work, order: nextOrder() }));
 }
 
 /**
  * @param {string} slot
- * @returns {StoredEdits | undefined} undefined if there is no valid draft
+ * @returns {StoredWork | undefined} undefined if there is no valid draft
  */
 export function readDraft(slot) {
   try {
     const draft = JSON.parse(read(PREFIX + slot) ?? "null");
-    return isEditRow(draft) ? draft : undefined;
+    return isWorkRow(draft) ? draft : undefined;
   } catch {
     return undefined;
   }

@@ -1,22 +1,5 @@
 /** @typedef {{ picture: Uint8Array, pictureWidth_px: number, pictureHeight_px: number }} Picture RGBA, row by row */
 
-/**
- * RGBA pixels of a picture with a bitmap drawn into it; the rest is transparent. Closes the bitmap.
- *
- * @param {ImageBitmap} bitmap
- * @param {number} width px
- * @param {number} height px
- * @param {ArrayLike<number>} [place] of the bitmap in the picture, px: left, top, width, height
- */
-export function pixelsOf(bitmap, width, height, { 0: left = 0, 1: top = 0, 2: placeWidth = width, 3: placeHeight = height } = []) {
-  const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
-  if (!context) throw new Error("no 2D canvas");
-  context.imageSmoothingQuality = "high";
-  context.drawImage(bitmap, left, top, placeWidth, placeHeight);
-  bitmap.close();
-  return new Uint8Array(context.getImageData(0, 0, width, height).data.buffer);
-}
-
 /** @param {Picture} picture */
 export function bitmapOf(picture) {
   return createImageBitmap(imageDataOf(picture));

@@ -1,55 +1,51 @@
 /**
  * Type guards for database rows.
  *
- * @typedef {import("./work.js").OpenedFace} OpenedFace
- * @typedef {Omit<OpenedFace, "picture" | "further"> & { picture: Uint8Array | Blob }} StoredPhoto
- * @typedef {StoredPhoto & { further?: StoredPhoto[] }} FaceRow
- * @typedef {import("./drafts.js").StoredEdits} StoredEdits
+ * @typedef {object} FaceRow the part of a face that rarely changes
+ * @property {string} name
+ * @property {(Omit<import("./face.js").SourceFile, "file"> & { file: Blob | ArrayBuffer })[]} files
+ *
+ * @typedef {Required<Pick<import("./face.js").Face, "photos" | "pictures" | "lead" | "edits" | "preferences">>} Work
+ * @typedef {Work & { order: number }} StoredWork `order` increases with each save
  */
-
-/** Three coordinates per landmark, without the irises. */
-const MIN_COORDINATES = 3 * 468;
-const COLOURS_BYTES = 3 * 468;
+import { viewsOf } from "./face.js";
 
 /**
  * @param {any} row
  * @returns {row is FaceRow}
  */
 export function isFaceRow(row) {
-  const { further = [], place = 0 } = row ?? {};
-  return isPhoto(row) && Array.isArray(further) && further.every(isPhoto) && isCount(place) && place <= further.length;
+  const { name, files } = row ?? {};
+  return typeof name === "string" && Array.isArray(files) && files.every(isFile);
 }
 
 /**
  * @param {any} row
- * @returns {row is StoredEdits}
+ * @returns {row is StoredWork}
  */
-export function isEditRow(row) {
-  const { edits, triangulation, density, order, photo, lens, preferences } = row ?? {};
-  const hasRequired = isJson(edits) && typeof triangulation === "string" && isCount(density) && isCount(order);
-  return hasRequired && [photo, lens, preferences].every(isOptionalText);
+export function isWorkRow(row) {
+  const { photos, pictures, lead, edits, preferences, order } = row ?? {};
+  const hasTexts = isJson(edits) && typeof preferences === "string" && isCount(lead) && isCount(order);
+  return hasTexts && Array.isArray(pictures) && lead < pictures.length && photoCount(photos) === pictures.length;
 }
 
-/** @param {any} photo */
-function isPhoto(photo) {
-  const { name, lens, width_px, height_px, landmarks, colours, photo: file, pictureWidth_px, pictureHeight_px, picture } = photo ?? {};
-  const hasSizes = [width_px, height_px, pictureWidth_px, pictureHeight_px].every((side) => isCount(side) && side > 0);
-  const hasLandmarks = landmarks instanceof Float32Array && landmarks.length >= MIN_COORDINATES && landmarks.length % 3 === 0;
-  const hasColours = colours instanceof Uint8Array && colours.length >= COLOURS_BYTES;
-  const hasValidFile = file === undefined || file instanceof Blob;
-  const bytes = picture instanceof Blob ? picture.size : picture instanceof Uint8Array ? picture.length : undefined;
-  const hasTexts = typeof lens === "string" && isOptionalText(name);
-  return hasSizes && hasLandmarks && hasColours && hasValidFile && hasTexts && bytes === pictureWidth_px * pictureHeight_px * 4;
+/** @param {any} file */
+function isFile({ key, file, kind }) {
+  return typeof key === "string" && (file instanceof Blob || file instanceof ArrayBuffer) && ["photo", "saved"].includes(kind);
+}
+
+/** Number of photos; undefined if the text is damaged. @param {any} photos */
+function photoCount(photos) {
+  try {
+    return viewsOf(photos).length;
+  } catch {
+    return undefined;
+  }
 }
 
 /** @param {any} value */
 function isCount(value) {
   return Number.isSafeInteger(value) && value >= 0;
-}
-
-/** @param {any} value */
-function isOptionalText(value) {
-  return value === undefined || typeof value === "string";
 }
 
 /** @param {any} text */

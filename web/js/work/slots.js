@@ -1,23 +1,23 @@
 /**
  * Saved work in the database. Each open face has one slot, written only by the tab that holds its lock.
  *
- * @typedef {import("./work.js").Work} Work
- * @typedef {import("./work.js").EditState} EditState
- * @typedef {import("./work.js").OpenedFace} OpenedFace
+ * @typedef {import("./face.js").Face} Face
  * @typedef {import("./database.js").Stores} Stores
- * @typedef {import("./row-checks.js").StoredPhoto} StoredPhoto
+ * @typedef {import("./row-checks.js").FaceRow} FaceRow
+ * @typedef {import("./row-checks.js").Work} Work
  * @typedef {{ slot: string, order: number, isComplete: boolean, isLocked: boolean }} Slot
  *
  * @typedef {object} SlotWrite
- * @property {OpenedFace} face
- * @property {EditState} edits
+ * @property {Pick<Face, "name" | "files">} face
+ * @property {Work} work
  * @property {boolean} isFaceStored whether this tab has already written the face
  * @property {number} [since] save order of the slot when this tab last wrote or read it
  */
 import { ORDER, resultOf, transact } from "./database.js";
 import { deleteDraft, deleteOtherDrafts, readDraft, nextOrder } from "./drafts.js";
+import { filesWith } from "./face.js";
 import { lockedSlots, lockSlot } from "./locks.js";
-import { isEditRow, isFaceRow } from "./row-checks.js";
+import { isFaceRow, isWorkRow } from "./row-checks.js";
 import { TimeoutError } from "./timeout.js";
 
 /** Number of slots to keep that no tab has open. */
@@ -51,20 +51,21 @@ export async function allSlots() {
 }
 
 /**
- * Reads the work in a slot, with the save order of its database row. A newer draft replaces the edits of the row.
+ * Reads the face in a slot, with the save order of its database row. A newer draft replaces its work if its pictures are
+ * in the stored files.
  *
  * @param {string} slot
- * @returns {Promise<{ work: Work, order: number }>}
+ * @returns {Promise<{ face: Face, order: number }>}
  */
 export async function readSlot(slot) {
-  const [face, row] = await transact("readonly", (stores) => Promise.all([resultOf(stores.faces.get(slot)), resultOf(stores.done.get(slot))]));
-  if (!isFaceRow(face)) throw new CorruptSlot(`face of slot ${slot}`);
-  if (!isEditRow(row)) throw new CorruptSlot(`edits of slot ${slot}`);
+  const [row, done] = await transact("readonly", (stores) => Promise.all([resultOf(stores.faces.get(slot)), resultOf(stores.done.get(slot))]));
+  if (!isFaceRow(row)) throw new CorruptSlot(`face of slot ${slot}`);
+  if (!isWorkRow(done)) throw new CorruptSlot(`work of slot ${slot}`);
+  const files = await Promise.all(row.files.map(readable));
   const draft = readDraft(slot);
-  const { order: _, ...edits } = draft && draft.order > row.order ? draft : row;
-  const { further, ...lead } = face;
-  const photos = further && (await Promise.all(further.map(readPhoto)));
-  return { work: { face: { ...(await readPhoto(lead)), ...(photos && { further: photos }) }, ...edits }, order: row.order };
+  const isNewer = draft && draft.order > done.order && draft.pictures.every((picture) => filesWith(files, [picture]).length === 1);
+  const { order: _, ...work } = isNewer ? draft : done;
+  return { face: { name: row.name, files, ...work }, order: done.order };
 }
 
 /**
@@ -75,9 +76,10 @@ export async function readSlot(slot) {
  * @returns {Promise<number>} the new save order
  */
 export async function writeSlot(slot, content) {
-  const order = await put(slot, content, asBlob).catch((error) => {
+  const { name, files } = content.face;
+  const order = await put(slot, content, { name, files }).catch(async (error) => {
     if (error instanceof TimeoutError || error instanceof SlotConflict) throw error;
-    return put(slot, content, withoutFile);
+    return put(slot, content, { name, files: await Promise.all(files.map(asBytes)) });
   });
   if ((readDraft(slot)?.order ?? Infinity) <= order) deleteDraft(slot);
   return order;
@@ -94,46 +96,39 @@ export async function prune() {
 /**
  * @param {string} slot
  * @param {SlotWrite} content
- * @param {(photo: OpenedFace) => object} asStored
+ * @param {FaceRow} row
  */
-function put(slot, { face, edits, isFaceStored, since }, asStored) {
+function put(slot, { work, isFaceStored, since }, row) {
   return transact("readwrite", async (stores) => {
     const [key, previous, latest] = await Promise.all([resultOf(stores.faces.getKey(slot)), resultOf(stores.done.get(slot)), latestOrder(stores.done)]);
     if (previous && previous.order !== since) throw new SlotConflict(`slot ${slot}`);
     const order = nextOrder(latest);
-    const further = face.further?.map(asStored);
     // The browser or the user may have cleared the database meanwhile.
     const exists = isFaceStored && key !== undefined;
-    const putFace = exists ? [] : [resultOf(stores.faces.put({ ...asStored(face), ...(further && { further }) }, slot))];
-    await Promise.all([...putFace, resultOf(stores.done.put({ ...edits, order }, slot))]);
+    const putFace = exists ? [] : [resultOf(stores.faces.put(row, slot))];
+    await Promise.all([...putFace, resultOf(stores.done.put({ ...work, order }, slot))]);
     return order;
   });
 }
 
 /**
- * Stores the pixels as a Blob, which the browser writes off the main thread.
+ * Fallback if the browser rejects Blobs, as in some private windows.
  *
- * @param {OpenedFace} photo
+ * @param {import("./face.js").SourceFile} source
  */
-function asBlob(photo) {
-  return { ...photo, picture: new Blob([/** @type {BlobPart} */ (photo.picture)]) };
-}
-
-/** Fallback if the browser rejects Blobs, as in some private windows, or the disk is full. @param {OpenedFace} photo */
-function withoutFile({ photo: _, ...photo }) {
-  return photo;
+async function asBytes({ file, ...source }) {
+  return { ...source, file: await file.arrayBuffer() };
 }
 
 /**
- * Reads a photo's pixels; drops its original file if that is no longer readable.
+ * Throws if the file can no longer be read.
  *
- * @param {StoredPhoto} stored
- * @returns {Promise<OpenedFace>}
+ * @param {FaceRow["files"][number]} stored
  */
-async function readPhoto({ photo: file, picture, ...found }) {
-  const pixels = picture instanceof Blob ? new Uint8Array(await picture.arrayBuffer()) : picture;
-  const isReadable = file && (await file.slice(0, 1).arrayBuffer().then(() => true, () => false));
-  return { ...found, ...(isReadable && { photo: file }), picture: pixels };
+async function readable({ file, ...source }) {
+  const blob = new Blob([file]);
+  await blob.slice(0, 1).arrayBuffer();
+  return { ...source, file: blob };
 }
 
 /** @param {string} slot */

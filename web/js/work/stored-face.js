@@ -1,7 +1,6 @@
 /**
- * @typedef {import("./work.js").Work} Work
- * @typedef {import("./work.js").EditState} EditState
- * @typedef {import("./work.js").OpenedFace} OpenedFace
+ * @typedef {import("./face.js").Face} Face
+ * @typedef {import("./row-checks.js").Work} Work
  */
 import { writeDraft } from "./drafts.js";
 import { lockSlot } from "./locks.js";
@@ -9,14 +8,10 @@ import { SlotConflict, readSlot, writeSlot } from "./slots.js";
 
 /** A face opened in this tab, with its slot in the database. */
 export class StoredFace {
-  /** @type {OpenedFace} with its current photos */
-  face;
-  /** @type {EditState | undefined} when the face was last on the screen */
-  edits;
   #slot;
   /** Save order of the slot when this tab last wrote or read it. @type {number | undefined} */
   #order;
-  /** The part that is already in the database. @type {{ face?: OpenedFace, edits?: EditState | undefined }} */
+  /** The part that is already in the database; the work as JSON. @type {{ files?: Face["files"], work?: string | undefined }} */
   #stored = {};
   #wantsLock = false;
   /** @type {(() => void) | undefined} */
@@ -29,7 +24,7 @@ export class StoredFace {
   #queued;
 
   /**
-   * @param {OpenedFace} face
+   * @param {Face} face
    * @param {string} [slot]
    */
   constructor(face, slot = crypto.randomUUID()) {
@@ -45,18 +40,18 @@ export class StoredFace {
    * Locks and reads a slot.
    *
    * @param {string} slot
-   * @returns {Promise<{ stored: StoredFace, work: Work } | undefined>} undefined if another tab holds the lock
+   * @returns {Promise<StoredFace | undefined>} undefined if another tab holds the lock
    */
   static async read(slot) {
     const release = await lockSlot(slot);
     if (!release) return undefined;
     try {
-      const { work, order } = await readSlot(slot);
-      const stored = new StoredFace(work.face, slot);
-      stored.#stored = { face: work.face };
+      const { face, order } = await readSlot(slot);
+      const stored = new StoredFace(face, slot);
+      stored.#stored = { files: face.files };
       stored.#order = order;
       [stored.#wantsLock, stored.#release] = [true, release];
-      return { stored, work };
+      return stored;
     } catch (error) {
       release();
       throw error;
@@ -78,7 +73,7 @@ export class StoredFace {
 
   /** Forces the next save to write the slot even without changes. */
   markDirty() {
-    this.#stored.edits = undefined;
+    this.#stored.work = undefined;
   }
 
   /**
@@ -97,7 +92,8 @@ export class StoredFace {
 
   /** Writes unsaved edits synchronously: the page may unload before the database responds. */
   saveDraft() {
-    if (this.edits && this.edits !== this.#stored.edits) writeDraft(this.#slot, this.edits);
+    const work = workOf(this.face);
+    if (work && JSON.stringify(work) !== this.#stored.work) writeDraft(this.#slot, work);
   }
 
   async #lock() {
@@ -122,12 +118,14 @@ export class StoredFace {
   /** @returns {Promise<boolean>} */
   async #write() {
     await this.#locking;
-    const { face, edits } = this;
-    const isFaceStored = face === this.#stored.face;
-    if (!edits || (isFaceStored && edits === this.#stored.edits)) return false;
+    const { name, files } = this.face;
+    const work = workOf(this.face);
+    const text = JSON.stringify(work);
+    const isFaceStored = files === this.#stored.files;
+    if (!work || (isFaceStored && text === this.#stored.work)) return false;
     try {
-      this.#order = await writeSlot(this.#slot, { face, edits, isFaceStored, ...(this.#order !== undefined && { since: this.#order }) });
-      this.#stored = { face, edits };
+      this.#order = await writeSlot(this.#slot, { face: { name, files }, work, isFaceStored, ...(this.#order !== undefined && { since: this.#order }) });
+      this.#stored = { files, work: text };
       return !isFaceStored;
     } catch (error) {
       if (!(error instanceof SlotConflict)) throw error;
@@ -137,4 +135,14 @@ export class StoredFace {
     this.#setRelease(await this.#move());
     return this.#write();
   }
+}
+
+/**
+ * The part of a face that changes often; undefined before the face was on the screen.
+ *
+ * @param {Face} face
+ * @returns {Work | undefined}
+ */
+function workOf({ photos, pictures, lead, edits, preferences }) {
+  return edits === undefined || preferences === undefined ? undefined : { photos, pictures, lead, edits, preferences };
 }

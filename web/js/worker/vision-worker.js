@@ -1,21 +1,23 @@
 /**
- * The worker that finds and follows faces. It holds no user data, so the page can terminate and restart it at any time.
+ * The worker that decodes photos and saved files, finds and follows faces, and writes files. It holds no user data that
+ * the page cannot send again, so the page can terminate and restart it at any time.
  *
  * @typedef {import("./protocol.js").Request} Request
  * @typedef {import("./protocol.js").Reply} Reply
- * @typedef {import("./protocol.js").FoundFaces} FoundFaces
+ * @typedef {import("./protocol.js").OpenRequest} OpenRequest
+ * @typedef {import("./protocol.js").FaceTask} FaceTask
+ * @typedef {import("./protocol.js").SourceFile} SourceFile
+ * @typedef {import("./protocol.js").FollowRequest} FollowRequest
  * @typedef {Extract<Request, { type: "load" }>} LoadRequest
  */
-import init, { checkLength, Vision } from "../../wasm/rosto-vision-web.js";
+import init, { Vision } from "../../wasm/rosto-vision-web.js";
 import { init as setBase } from "../files.js";
 import { verifiedFile, verifiedModule, setListHash } from "../page/integrity.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
-import { bitmapOf } from "../work/pixels.js";
-import { decodeWithBrowser } from "./browser-decoder.js";
-import { drawEdited } from "./edited-photo.js";
 import { follow } from "./frames.js";
-import { textureOf } from "./texture.js";
+import { bitmapOf, encoded } from "./raw-picture.js";
+import { decoded, keepPictures, readFile } from "./source-files.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
@@ -26,6 +28,8 @@ navigator.locks.request(lock, () => {
   return new Promise(() => {});
 });
 
+const MAX_FACES = 20;
+
 /** Minimum interval between loading reports. */
 const REPORT_EVERY_MS = 1000;
 
@@ -34,29 +38,39 @@ let onLoadRequest = () => {};
 /** The page's first message, with the base URL and the hash of the integrity list. @type {Promise<LoadRequest>} */
 const loadRequest = new Promise((resolve) => (onLoadRequest = resolve));
 const vision = loadRequest.then(load);
-vision.then(
-  () => post({ type: "ready" }),
-  (error) => post({ type: "unusable", error: asPageError(error, "not-loaded") }),
-);
+/** @type {Promise<void> | undefined} */
+let networks;
+/** Queue: a task must not drop the pictures of another one. @type {Promise<unknown>} */
+let queue = Promise.resolve();
 
 page.addEventListener("message", (event) => handle(event.data));
+reportLoaded();
+
+async function reportLoaded() {
+  try {
+    await vision;
+    // Without the networks, faces are still reopened and written; the next photo retries.
+    await withNetworks().catch(() => {});
+    post({ type: "ready" });
+  } catch (error) {
+    post({ type: "unusable", error: asPageError(error, "not-loaded") });
+  }
+}
 
 /** @param {Request} request */
 function handle(request) {
   switch (request.type) {
     case "load":
       return onLoadRequest(request);
-    case "find":
-      return handleFind(request);
-    case "draw":
-      return handleDraw(request);
-    case "texture":
-      return handleTexture(request);
+    case "open":
+      return answer(request, () => open(request));
     case "follow":
       return handleFollow(request);
     case "stop-following":
       // A failure to load was already posted as unusable.
       return vision.then((vision) => vision.stopFollowing(), () => {});
+    default:
+      return answer(request, () => enqueue(() => perform(request)));
   }
 }
 
@@ -64,16 +78,31 @@ function handle(request) {
 async function load({ base, list }) {
   if (base !== undefined) setBase(base);
   setListHash(list);
-  const module = new URL("../../wasm/rosto-vision-web_bg.wasm", import.meta.url);
+  // In parallel. Errors surface where the networks are used.
+  withNetworks().catch(() => {});
+  const url = new URL("../../wasm/rosto-vision-web_bg.wasm", import.meta.url);
+  await init({ module_or_path: await verifiedModule("wasm/rosto-vision-web_bg.wasm", url, reportLoading) });
+  return new Vision();
+}
+
+/** Resolves once the module has its networks. */
+function withNetworks() {
+  networks ??= loadNetworks().catch((error) => {
+    networks = undefined;
+    throw error;
+  });
+  return networks;
+}
+
+async function loadNetworks() {
   const detectorUrl = new URL("../../assets/face_detector.onnx", import.meta.url);
   const landmarksUrl = new URL("../../assets/face_landmarks_attention.onnx", import.meta.url);
-  const [module_or_path, detector, landmarks] = await Promise.all([
-    verifiedModule("wasm/rosto-vision-web_bg.wasm", module, reportLoading),
+  const files = Promise.all([
     verifiedFile("assets/face_detector.onnx", detectorUrl, reportLoading),
     verifiedFile("assets/face_landmarks_attention.onnx", landmarksUrl, reportLoading),
   ]);
-  await init({ module_or_path });
-  return new Vision(new Uint8Array(detector), new Uint8Array(landmarks));
+  const [detector, landmarks] = await files.catch((error) => Promise.reject(asPageError(error, "not-loaded")));
+  (await vision).loadNetworks(new Uint8Array(detector), new Uint8Array(landmarks));
 }
 
 /**
@@ -97,42 +126,118 @@ async function readAndReport(response) {
   }
 }
 
-/** @param {Extract<Request, { type: "find" }>} request */
-async function handleFind({ id, photo, maxFaces }) {
+/**
+ * Runs `act` after the tasks queued before it.
+ *
+ * @template T
+ * @param {() => Promise<T>} act
+ * @returns {Promise<T>}
+ */
+function enqueue(act) {
+  const done = queue.then(act);
+  queue = done.catch(() => {});
+  return done;
+}
+
+/**
+ * Posts the result of a request, or its error.
+ *
+ * @param {OpenRequest | FaceTask & { id: number }} request
+ * @param {() => Promise<{ answer: unknown, transfer?: Transferable[] }>} act
+ */
+async function answer({ type, id }, act) {
   try {
-    const faces = await findDecoded(await vision, photo, maxFaces, id);
-    const found = { ...faces, bitmap: await bitmapOf(faces) };
-    post({ type: "found", id, found }, [found.bitmap, ...buffersOf(found)]);
+    const { answer, transfer } = await act();
+    post({ type, id, answer }, transfer);
   } catch (error) {
     postFailure("failed", id, error);
   }
 }
 
-/** @param {Extract<Request, { type: "draw" }>} request */
-async function handleDraw({ id, edited }) {
-  try {
-    await vision;
-    post({ type: "drawn", id, file: await drawEdited(edited) });
-  } catch (error) {
-    postFailure("failed", id, error);
+/** @param {OpenRequest} request */
+async function open({ id, key, file }) {
+  const module = await vision;
+  const { bytes, isSaved } = await readFile(file);
+  if (!isSaved) await withNetworks();
+  /** @type {(stage: import("./protocol.js").Stage, fraction: number) => void} */
+  const report = (stage, fraction) => post({ type: "progress", id, stage, fraction });
+  return enqueue(async () => {
+    const opened = await decoded(file, bytes, (readable, original) => module.open(key, readable, MAX_FACES, report, original));
+    const bitmaps = await Promise.all((opened.faces[0]?.pictures ?? []).map((picture) => bitmapOf(module.picture(picture))));
+    const answer = { key, file: new Blob([bytes], { type: file.type }), opened, bitmaps };
+    return { answer, transfer: bitmaps };
+  });
+}
+
+/**
+ * @param {FaceTask & { files: SourceFile[] }} task
+ * @returns {Promise<{ answer: unknown, transfer?: Transferable[] }>}
+ */
+async function perform(task) {
+  const module = await vision;
+  await keepPictures(module, picturesFor(task), task.files);
+  switch (task.type) {
+    case "picture":
+      return withBitmap(module.picture(task.picture));
+    case "texture":
+      return withBitmap(module.texture(task.face, task.size));
+    case "write": {
+      const written = module.write(task.face, task.format, task.options, task.name);
+      return { answer: written, transfer: [written.bytes.buffer] };
+    }
+    case "write-project": {
+      const bytes = module.writeProject(task.face);
+      return { answer: bytes, transfer: [bytes.buffer] };
+    }
+    case "solid-facts":
+      return { answer: module.solidFacts(task.face, task.options) };
+    case "edited-photo":
+      return { answer: await editedPhoto(module, task) };
   }
 }
 
-/** @param {Extract<Request, { type: "texture" }>} request */
-async function handleTexture({ id, face }) {
-  try {
-    await vision;
-    const pixels = textureOf(face);
-    post({ type: "textured", id, pixels }, [/** @type {ArrayBuffer} */ (pixels.buffer)]);
-  } catch (error) {
-    postFailure("failed", id, error);
+/**
+ * The pictures that a task reads.
+ *
+ * @param {FaceTask & { files: SourceFile[] }} task
+ */
+function picturesFor(task) {
+  switch (task.type) {
+    case "picture":
+      return [task.picture];
+    case "solid-facts":
+      return [];
+    case "edited-photo":
+      return task.lead.source.kind === "saved" ? [task.lead.picture] : [];
+    default:
+      return task.face.pictures;
   }
 }
 
-/** @param {Extract<Request, { type: "follow" }>} request */
+/** @param {import("./raw-picture.js").RawPicture} picture */
+async function withBitmap(picture) {
+  const bitmap = await bitmapOf(picture);
+  return { answer: bitmap, transfer: [bitmap] };
+}
+
+/**
+ * Draws the lead photo with the edits at full size, or in the size in which a saved file contains it.
+ *
+ * @param {Vision} module
+ * @param {Extract<FaceTask, { type: "edited-photo" }>} task
+ */
+async function editedPhoto(module, { face, lead: { picture, source }, falloffBand, mediaType }) {
+  const file = source.kind === "photo" ? source.file : await encoded(module.picture(picture), "image/png");
+  const edited = await decoded(file, await bytesOf(file), (bytes) => module.editedPhoto(face, bytes, falloffBand));
+  return encoded(edited, mediaType);
+}
+
+/** @param {FollowRequest} request */
 async function handleFollow({ id, frame, time_ms }) {
   try {
-    const followed = follow(await vision, frame, time_ms);
+    const module = await vision;
+    await withNetworks();
+    const followed = follow(module, frame, time_ms);
     const { landmarks } = followed;
     post({ type: "followed", id, followed }, landmarks ? [frame, landmarks.buffer] : [frame]);
   } catch (error) {
@@ -150,64 +255,6 @@ function postFailure(type, id, error) {
   // A trap leaves the module's memory in an undefined state, so the page restarts the worker.
   if (error instanceof WebAssembly.RuntimeError) post({ type: "trapped", id, message: error.message });
   else post({ type, id, error: asPageError(error) });
-}
-
-/**
- * Finds faces in a photo. Falls back to the browser's decoder for formats that the module does not read.
- *
- * @param {Vision} vision
- * @param {Blob} photo
- * @param {number} maxFaces
- * @param {number} id
- */
-async function findDecoded(vision, photo, maxFaces, id) {
-  checkLength(photo.size);
-  const bytes = await bytesOf(photo);
-  try {
-    return find(vision, bytes, maxFaces, id);
-  } catch (error) {
-    const decoded = asPageError(error).code === "unsupported-format" ? await decodeWithBrowser(photo) : undefined;
-    if (!decoded) throw error;
-    return find(vision, await bytesOf(decoded), maxFaces, id, bytes);
-  }
-}
-
-/**
- * @param {Vision} vision
- * @param {Uint8Array} bytes
- * @param {number} maxFaces
- * @param {number} id
- * @param {Uint8Array} [original] the original file, if the browser decoded it to `bytes`
- * @returns {Omit<FoundFaces, "bitmap">}
- */
-function find(vision, bytes, maxFaces, id, original) {
-  /** @type {(stage: import("./protocol.js").Stage, fraction: number) => void} */
-  const report = (stage, fraction) => post({ type: "progress", id, stage, fraction });
-  const found = vision.find(bytes, maxFaces, report, original);
-  try {
-    const faces = Array.from({ length: found.faceCount }, (_, i) => ({
-      isDoubtful: found.isDoubtful(i),
-      landmarks: found.landmarks(i),
-      colours: found.colours(i),
-    }));
-    return {
-      width_px: found.width,
-      height_px: found.height,
-      focalLength_mm: found.focalLength35mm,
-      faces,
-      pictureWidth_px: found.pictureWidth,
-      pictureHeight_px: found.pictureHeight,
-      picture: found.takePicture(),
-    };
-  } finally {
-    found.free();
-  }
-}
-
-/** @param {FoundFaces} found */
-function buffersOf(found) {
-  const arrays = [found.picture, ...found.faces.flatMap((face) => [face.landmarks, face.colours])];
-  return arrays.map((array) => /** @type {ArrayBuffer} */ (array.buffer));
 }
 
 /**

@@ -1,14 +1,17 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use rosto::{MeshRequest, Units, anchor_rule, constraint};
 use rosto_face::Region;
 use rosto_studio::{
-    AnchorKind, Anchors, ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, RegionOfInfluence, Settings,
+    AnchorKind, Anchors, Command, ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, RegionOfInfluence,
+    Settings,
 };
 
 use crate::choices::{listed, one_of};
-use crate::edits::{Edit, ExpressionEdit, RegionEdit, SliderEdit};
-use crate::settings::{self, Rule};
+use crate::edits::{self, MM_PER_M, expression_edit, region_edit, slider_edit, vertex_edit};
+use crate::error::CliError;
+use crate::settings;
 
 /// Edits of the face.
 #[derive(Debug, Args)]
@@ -22,17 +25,18 @@ pub struct EditArguments {
     ///
     /// Vertices 0 to 467 are the landmarks. VERTEX@LEVEL is a vertex of the mesh at that subdivision level and moves
     /// only meshes of that level or denser, such as 20000@3 with --density 3.
-    #[arg(long = "edit", value_name = "VERTEX[@LEVEL]:DX,DY,DZ[:A,B]", allow_hyphen_values = true)]
-    pub vertices: Vec<Edit>,
+    #[arg(long = "edit", value_name = "VERTEX[@LEVEL]:DX,DY,DZ[:A,B]", allow_hyphen_values = true, value_parser = vertex_edit)]
+    pub vertices: Vec<Command>,
     /// Move a region by an offset, such as nose:0,0,5; repeatable
-    #[arg(long = "region", value_name = "REGION:DX,DY,DZ", allow_hyphen_values = true, long_help = region_help())]
-    pub regions: Vec<RegionEdit>,
+    #[arg(long = "region", value_name = "REGION:DX,DY,DZ", allow_hyphen_values = true, long_help = region_help(), value_parser = region_edit)]
+    pub regions: Vec<Command>,
     /// Set a slider in mm, such as jaw-width:-4; repeatable
-    #[arg(long = "slider", value_name = "SLIDER:MM", allow_hyphen_values = true, long_help = slider_help())]
-    pub sliders: Vec<SliderEdit>,
+    #[arg(long = "slider", value_name = "SLIDER:MM", allow_hyphen_values = true, long_help = slider_help(), value_parser = slider_edit)]
+    pub sliders: Vec<Command>,
     /// Set the weight of an expression from 0 to 1, such as jawOpen:0.6; repeatable
-    #[arg(long = "expression", value_name = "EXPRESSION:WEIGHT", allow_hyphen_values = true, long_help = expression_help())]
-    pub expressions: Vec<ExpressionEdit>,
+    #[arg(long = "expression", value_name = "EXPRESSION:WEIGHT", allow_hyphen_values = true, long_help = expression_help(),
+        value_parser = expression_edit)]
+    pub expressions: Vec<Command>,
     /// Make the face more symmetric, by a share from 0 to 1
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, value_parser = settings::share)]
     pub symmetrise: Option<f64>,
@@ -47,11 +51,11 @@ pub struct SettingsArguments {
         value_parser = one_of("operator", Operator::ALL, Operator::id, Operator::from_id))]
     pub operator: Operator,
     /// Constraint on handles and anchors: "exact" for hard constraints, or the weight of soft ones
-    #[arg(long, value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = settings::constraint)]
+    #[arg(long, value_name = "exact|WEIGHT", allow_negative_numbers = true, default_value = "1", value_parser = constraint)]
     pub constraint: ConstraintKind,
     /// Anchors: two random vertices, the face's oval, the vertices beyond a radius, or only those of --pin
-    #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = settings::anchors)]
-    pub anchors: Rule,
+    #[arg(long, value_name = "random|oval|outside:RADIUS|pins", default_value = "random", value_parser = anchor_rule)]
+    pub anchors: AnchorKind,
     /// Seed of the random anchors
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     pub seed: u64,
@@ -69,14 +73,29 @@ pub struct SettingsArguments {
     pub turn_details: bool,
 }
 
+impl EditArguments {
+    /// Adds the edits to a request, in the order that `--help` documents and in the request's units.
+    pub fn add_to(&self, request: &mut MeshRequest, settings: &SettingsArguments) -> Result<(), CliError> {
+        let unit = match request.units {
+            Units::Image => 1.0,
+            Units::Mm => 1.0 / MM_PER_M,
+        };
+        let mut moves = self.file.as_deref().map(edits::read).transpose()?.unwrap_or_default();
+        moves.extend(self.vertices.iter().chain(&self.regions).cloned());
+        request.add_moves(moves.into_iter().map(|edit| edits::scaled(edit, unit)), &settings.settings(unit));
+        request.edits.extend(self.sliders.iter().chain(&self.expressions).cloned());
+        request.edits.extend(self.symmetrise.map(|share| Command::Symmetrise { share }));
+        Ok(())
+    }
+}
+
 impl SettingsArguments {
-    /// Settings of the edit with index `number`. `unit` converts lengths of the command line to the document's.
-    pub fn for_edit(&self, number: usize, unit: f64) -> Settings {
+    /// Settings of each edit. `unit` converts lengths of the command line to the document's.
+    fn settings(&self, unit: f64) -> Settings {
         let kind = match self.anchors {
-            Rule::Random => AnchorKind::Random { seed: self.seed.wrapping_add(number as u64) },
-            Rule::Oval => AnchorKind::Oval,
-            Rule::Outside { radius } => AnchorKind::Outside { radius: radius * unit },
-            Rule::PinsOnly => AnchorKind::PinsOnly,
+            AnchorKind::Random { .. } => AnchorKind::Random { seed: self.seed },
+            AnchorKind::Outside { radius } => AnchorKind::Outside { radius: radius * unit },
+            kind => kind,
         };
         Settings {
             operator: self.operator,

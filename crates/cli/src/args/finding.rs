@@ -1,9 +1,9 @@
 use clap::Args;
-use rosto_face::{Photo, PhotoLens};
+use rosto::networks::Landmarks;
+use rosto_face::PhotoLens;
 use rosto_landmarks::FindOptions;
 
-use crate::networks::Landmarks;
-use crate::{portrait, settings};
+use crate::settings;
 
 /// Options about the photo's camera.
 #[derive(Debug, Args)]
@@ -19,9 +19,9 @@ pub struct CameraArguments {
 }
 
 impl CameraArguments {
-    /// Lens given by these options, or else by the photo.
-    pub fn lens(&self, photo: &Photo) -> PhotoLens {
-        self.distance.or(self.focal_length).unwrap_or_else(|| portrait::lens_of(photo))
+    /// Lens given by these options.
+    pub fn lens(&self) -> Option<PhotoLens> {
+        self.distance.or(self.focal_length)
     }
 }
 

@@ -2,14 +2,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use rosto_export::{BaseColour, Eyes, Material, Solid, TextureSize, Units};
-use rosto_face::Triangulation;
+use rosto::{
+    BaseColour, EditsAs, ExpressionsAs, Eyes, FileOptions, Material, MeshRequest, Solid, TextureSize, Triangulation,
+    Units,
+};
 use rosto_studio::{DEFAULT_FALLOFF_BAND, SMOOTH_DENSITY};
 use rosto_warp::Dab;
 
 use super::{CameraArguments, EditArguments, FindArguments, SettingsArguments};
 use crate::choices::one_of;
-use crate::error::extensions;
+use crate::error::{CliError, extensions};
 use crate::settings;
 
 /// Options shared by the commands that process several photos.
@@ -61,32 +63,24 @@ pub struct MeshArguments {
     pub density: u32,
 }
 
+impl MeshArguments {
+    /// The request without its photos, with edits in these units.
+    pub fn request(
+        &self,
+        units: Units,
+        edits: &EditArguments,
+        settings: &SettingsArguments,
+    ) -> Result<MeshRequest, CliError> {
+        let (triangulation, density) = (self.topology, self.density);
+        let mut request = MeshRequest { triangulation, density, units, ..MeshRequest::of(Vec::new()) };
+        edits.add_to(&mut request, settings)?;
+        Ok(request)
+    }
+}
+
+/// Options of the file; `effect` knows the ids of their arguments.
 #[derive(Debug, Args)]
-pub struct MeshTask {
-    /// JPEG, PNG or WebP; - reads standard input. One photo, or up to five of the same face: frontal, turned to its
-    /// left, turned to its right
-    ///
-    /// With {} in the output's name, Rosto makes one mesh per photo, and a folder means the photos in it and its
-    /// subfolders.
-    ///
-    /// Without {}, several photos make one mesh. The photo whose face looks at the camera leads: the mesh matches its
-    /// landmarks and takes its colours. The others improve the depth of each landmark.
-    #[arg(required = true, value_name = "PHOTO")]
-    pub photos: Vec<PathBuf>,
-    /// Output file; its extension selects the format
-    #[arg(short, long, value_name = "FILE", long_help = output_help())]
-    pub output: PathBuf,
-    #[command(flatten)]
-    pub batch: BatchArguments,
-    #[command(flatten)]
-    pub mesh: MeshArguments,
-    /// Coordinates of the edits and of JSON output
-    ///
-    /// "mm": millimetres in the model's frame, +Y up, +Z out of the face, +X to the subject's left. "image":
-    /// MediaPipe's normalised coordinates x/W, y/H, z/W, as in the paper; for .json only.
-    #[arg(long, default_value = Units::default().id(),
-        value_parser = one_of("export.units", Units::ALL, Units::id, Units::from_id))]
-    pub units: Units,
+pub struct FileArguments {
     /// Texture or colours of a .glb, .gltf, .obj, .usdz or .png
     #[arg(long, default_value = BaseColour::default().id(),
         value_parser = one_of("base-colour", BaseColour::ALL, BaseColour::id, BaseColour::from_id))]
@@ -114,6 +108,52 @@ pub struct MeshTask {
     /// as separate pieces; for .glb and .gltf
     #[arg(long = "expressions")]
     pub expression_targets: bool,
+}
+
+impl FileArguments {
+    /// The options, with the unit of JSON.
+    pub fn options(&self, units: Units) -> FileOptions {
+        FileOptions {
+            base_colour: self.base_colour,
+            texture_size: self.texture_size,
+            material: self.material,
+            edits: if self.morph_targets { EditsAs::MorphTargets } else { EditsAs::Shape },
+            expressions: if self.expression_targets { ExpressionsAs::MorphTargets } else { ExpressionsAs::Shape },
+            eyes: self.eyes,
+            units,
+            solid: self.solid,
+        }
+    }
+}
+
+#[derive(Debug, Args)]
+pub struct MeshTask {
+    /// JPEG, PNG or WebP; - reads standard input. One photo, or up to five of the same face: frontal, turned to its
+    /// left, turned to its right
+    ///
+    /// With {} in the output's name, Rosto makes one mesh per photo, and a folder means the photos in it and its
+    /// subfolders.
+    ///
+    /// Without {}, several photos make one mesh. The photo whose face looks at the camera leads: the mesh matches its
+    /// landmarks and takes its colours. The others improve the depth of each landmark.
+    #[arg(required = true, value_name = "PHOTO")]
+    pub photos: Vec<PathBuf>,
+    /// Output file; its extension selects the format
+    #[arg(short, long, value_name = "FILE", long_help = output_help())]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub batch: BatchArguments,
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+    /// Coordinates of the edits and of JSON output
+    ///
+    /// "mm": millimetres in the model's frame, +Y up, +Z out of the face, +X to the subject's left. "image":
+    /// MediaPipe's normalised coordinates x/W, y/H, z/W, as in the paper; for .json only.
+    #[arg(long, default_value = Units::default().id(),
+        value_parser = one_of("export.units", Units::ALL, Units::id, Units::from_id))]
+    pub units: Units,
+    #[command(flatten)]
+    pub file: FileArguments,
     #[command(flatten)]
     pub find: FindArguments,
     #[command(flatten)]

@@ -1,8 +1,7 @@
-use std::borrow::Cow;
 use std::io::{self, ErrorKind};
 
+use rosto::Error;
 use rosto_export::{ExportError, SolidError};
-use rosto_laplacian::LaplacianError;
 use rosto_photo::PhotoError;
 use rosto_studio::StudioError;
 
@@ -11,11 +10,15 @@ use crate::input::ReadError;
 
 impl CliError {
     /// Suggested remedy, if there is one.
-    pub(crate) fn hint(&self) -> Option<Cow<'static, str>> {
-        if let Self::Edit { reason: StudioError::Laplacian(reason), .. } = self {
-            return edit_hint(reason);
+    pub fn hint(&self) -> Option<String> {
+        if let Some(hint) = self.fixed_hint() {
+            return Some(hint.to_owned());
         }
-        self.fixed_hint().map(Cow::Borrowed)
+        match self {
+            Self::NoFace { .. } => Error::NoFace { photo: 0 }.hint(),
+            Self::Request(reason) => reason.hint(),
+            _ => None,
+        }
     }
 
     fn fixed_hint(&self) -> Option<&'static str> {
@@ -33,22 +36,22 @@ impl CliError {
             Self::InUse { .. } => Some("Wait until that process ends, or use another name."),
             Self::Foreign { .. } => Some("Move the file, use another name, or replace it with --force."),
             Self::SameOutput { .. } => Some("Rename one of the photos, or write the meshes to different folders."),
-            Self::NoFace { .. } => {
-                Some("Use a photo in which the face looks at the camera and fills at least a tenth of the picture.")
-            }
             Self::AnotherFace { .. } => Some("Use photos of one face; in each, it must be the most prominent."),
             Self::EditsFile { .. } => {
                 Some(r#"Expected a list such as [{"vertex": 4, "offset": [0, 0, 1], "anchors": [10, 152]}]."#)
             }
             Self::EditsUtf16 { .. } => Some("Save the file as UTF-8."),
-            Self::Edit { reason: StudioError::NoMirror | StudioError::NoExpressions { .. }, .. } => {
-                Some("Use --units mm; for a vertex of a denser mesh, also --topology canonical.")
-            }
-            Self::Edit { reason: StudioError::TooCoarse { .. }, .. } => Some("Raise --density to that level."),
-            Self::Export(ExportError::Solid(SolidError::TooThick { .. })) => {
+            Self::Request(Error::Edit { reason, .. }) => match reason {
+                StudioError::NoMirror | StudioError::NoExpressions { .. } => {
+                    Some("Use --units mm; for a vertex of a denser mesh, also --topology canonical.")
+                }
+                StudioError::TooCoarse { .. } => Some("Raise --density to that level."),
+                _ => None,
+            },
+            Self::Request(Error::Export(ExportError::Solid(SolidError::TooThick { .. }))) => {
                 Some("Use a smaller thickness in --solid, or flat:MM.")
             }
-            Self::Export(ExportError::Solid(_)) => Some("Use smaller edits or a lower --density."),
+            Self::Request(Error::Export(ExportError::Solid(_))) => Some("Use smaller edits or a lower --density."),
             Self::ImageUnits { .. } => Some("Use --units mm, with offsets in millimetres."),
             Self::UnknownFormat { .. } | Self::UnknownPictureFormat { .. } => None,
             Self::Unwritable { reason, .. } => Some(write_hint(reason)),
@@ -94,17 +97,4 @@ fn write_hint(reason: &io::Error) -> &'static str {
 
 fn is_full(reason: &io::Error) -> bool {
     matches!(reason.kind(), ErrorKind::StorageFull | ErrorKind::QuotaExceeded)
-}
-
-fn edit_hint(reason: &LaplacianError) -> Option<Cow<'static, str>> {
-    match *reason {
-        LaplacianError::NoSuchVertex { vertex_count, .. } => Some(Cow::Owned(format!(
-            "The vertices of this mesh are 0 to {}; VERTEX@LEVEL addresses a denser mesh.",
-            vertex_count.saturating_sub(1)
-        ))),
-        LaplacianError::PinnedHandle { .. } => Some("Use anchors other than the moved vertex.".into()),
-        LaplacianError::Repeated { .. } => Some("Give each anchor once.".into()),
-        LaplacianError::NotFinite { .. } => Some("Use smaller offsets.".into()),
-        _ => None,
-    }
 }

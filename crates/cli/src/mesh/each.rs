@@ -6,15 +6,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use rosto_export::Format;
-
 use super::ledger::{Ledger, Status};
-use super::{Step, make};
+use super::{Made, Template};
 use crate::args::MeshTask;
 use crate::batch::{self, BatchSummary, Listing, Outcome, Progress};
 use crate::error::CliError;
-use crate::networks::Networks;
-use crate::{encode, files, networks, output, portrait, terminal};
+use crate::{faces, files, networks, output, terminal};
 
 /// A photo and its output files, the mesh first.
 struct Job {
@@ -23,13 +20,14 @@ struct Job {
 }
 
 /// Makes the missing meshes. Failed photos are skipped; a failed write ends the batch.
-pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'_>) -> Result<(), CliError> {
+pub fn run(template: &Template<'_>, networks: Option<&Path>) -> Result<(), CliError> {
+    let task = template.task;
     files::check_standard_input(task.photos.iter().chain(&task.edits.file).map(PathBuf::as_path))?;
     let listing = batch::photos(&task.photos)?;
-    let jobs = jobs(task, format, &listing)?;
+    let jobs = jobs(template, &listing);
     check_names(&jobs, task)?;
     let finder = networks::load(networks, task.find.landmarks())?;
-    let ledger = Ledger::open(&task.output, &request(task, steps))?;
+    let ledger = Ledger::open(&task.output, &request(template))?;
     let left = match left(&jobs, &ledger, task.batch.force) {
         Ok(left) => left,
         Err(refused) => {
@@ -47,12 +45,12 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
             return Ok(Vec::new());
         }
         let output = &by_photo[path].outputs[0];
-        let photo = portrait::open(path)?;
-        let (edited, written) = make(task, vec![(path, photo)], steps, format, &encode::name_of(output), &finder)?;
+        let photos = [(path.to_owned(), faces::open(path)?)];
+        let Made { written, notes, .. } = template.make(&photos, &files::name_of(output), &finder)?;
         ledger.add(path, &written)?;
         make_folder_of(output)?;
         output::write_together(output, &written.bytes, &written.sidecars)?;
-        Ok(edited.notes)
+        Ok(notes)
     };
     let work = |path: &Path| {
         let outcome = work(path);
@@ -75,42 +73,21 @@ pub fn run(task: &MeshTask, steps: &[Step], format: Format, networks: Networks<'
 }
 
 /// Identifies the options and edits that determine the meshes.
-fn request(task: &MeshTask, steps: &[Step]) -> String {
-    // Without `..`, so that a new option fails to compile here.
-    let MeshTask {
-        photos: _,
-        output: _,
-        batch: _,
-        settings: _,
-        mesh,
-        base_colour,
-        texture_size,
-        solid,
-        material,
-        eyes,
-        morph_targets,
-        expression_targets,
-        find,
-        camera,
-        edits: _,
-        units,
-    } = task;
-    let paint = (base_colour, texture_size, solid, material, eyes, morph_targets, expression_targets);
-    // The steps contain the edits, including those of the file, with their settings.
-    format!("{:?}", (mesh, paint, find, camera, units, steps))
+fn request(Template { task, request, file, .. }: &Template<'_>) -> String {
+    format!("{:?}", (request, file, &task.find, &task.camera))
 }
 
 /// One job per photo; `{}` in the pattern becomes the photo's path relative to the given folder.
-fn jobs(task: &MeshTask, format: Format, listing: &Listing) -> Result<Vec<Job>, CliError> {
+fn jobs(Template { task, format, file, .. }: &Template<'_>, listing: &Listing) -> Vec<Job> {
     let pattern = task.output.to_string_lossy();
     let job = |photo: &batch::Listed| {
         let name = photo.name.with_extension("");
         let output = PathBuf::from(filled(&pattern, &name));
-        let sidecars = format.sidecar_names(task.base_colour, &encode::name_of(&output));
+        let sidecars = format.sidecar_names(file.base_colour, &files::name_of(&output));
         let sidecars = sidecars.into_iter().map(|name| output.with_file_name(name));
         Job { photo: photo.path.clone(), outputs: [output.clone()].into_iter().chain(sidecars).collect() }
     };
-    Ok(listing.photos.iter().map(job).collect())
+    listing.photos.iter().map(job).collect()
 }
 
 /// Replaces `{}` by the name, which need not be UTF-8.

@@ -2,8 +2,6 @@
 
 use serde_json::Value;
 
-use super::fields::index;
-
 const FLOAT: u64 = 5126;
 
 /// Bytes of a position: three little-endian floats.
@@ -27,13 +25,17 @@ pub(super) fn positions(root: &Value, binary: &[u8]) -> Option<Vec<u8>> {
     Some(values.chunks(stride).take(count).flat_map(|value| &value[..POSITION_BYTES]).copied().collect())
 }
 
-/// Content of a buffer view.
-pub(super) fn view<'a>(root: &Value, binary: &'a [u8], view: usize) -> Option<&'a [u8]> {
-    let view = &root["bufferViews"][view];
+/// Content of the buffer view with this index.
+pub(super) fn view<'a>(root: &Value, binary: &'a [u8], view: &Value) -> Option<&'a [u8]> {
+    let view = &root["bufferViews"][index(view)?];
     let start = offset(view)?;
     binary.get(start..start.checked_add(index(&view["byteLength"])?)?)
 }
 
 fn offset(value: &Value) -> Option<usize> {
     value.get("byteOffset").map_or(Some(0), index)
+}
+
+fn index(value: &Value) -> Option<usize> {
+    value.as_u64()?.try_into().ok()
 }

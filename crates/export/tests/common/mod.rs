@@ -2,13 +2,11 @@
 
 #![allow(clippy::unwrap_used, dead_code, reason = "each test file uses its part")]
 
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder};
 use std::sync::LazyLock;
 
 use glam::DVec2;
-use rosto_export::{BaseColour, GlbOptions, Model, Picture, Source};
-use rosto_face::{FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_uvs};
+use rosto_export::{BaseColour, GlbOptions, Model, Picture, SavedFace, Source};
+use rosto_face::{FaceModel, LANDMARK_COUNT, Observation, Photo, PhotoLens, Triangulation, canonical_uvs};
 use serde_json::Value;
 
 pub const SIDE: u32 = 300;
@@ -29,17 +27,14 @@ pub fn face(triangulation: Triangulation) -> FaceModel {
             [uv.x as f32, uv.y as f32, -depths[v].z as f32 * 3.0]
         })
         .collect();
-    let picture = gradient();
-    let colours: Vec<[u8; 3]> = landmarks.iter().map(|&[x, y, _]| picture.colour_under(x.into(), y.into())).collect();
-    let input = FaceInput {
-        landmarks: &landmarks,
-        width: SIDE,
-        height: SIDE,
-        colours: &colours,
-        picture,
-        lens: PhotoLens::Parallel,
-    };
-    FaceModel::new(input, triangulation).unwrap()
+    let observation = Observation::in_photo(&gradient(), landmarks).with_lens(PhotoLens::Parallel);
+    FaceModel::new(observation, triangulation).unwrap()
+}
+
+/// The face that a file was written from, or that was read from one.
+pub fn rebuilt(saved: SavedFace) -> FaceModel {
+    let triangulation = saved.edits.unwrap().triangulation;
+    FaceModel::from_photos(saved.photos, triangulation).unwrap()
 }
 
 /// A power of two, as for a real whole-face texture.
@@ -62,16 +57,9 @@ pub fn by_photo() -> GlbOptions<'static> {
     GlbOptions { base_colour: BaseColour::Photo, ..GlbOptions::default() }
 }
 
-/// The gradient as a PNG file.
-pub fn png() -> Vec<u8> {
-    let (picture, mut file) = (gradient(), Vec::new());
-    PngEncoder::new(&mut file).write_image(picture.pixels(), SIDE, SIDE, ExtendedColorType::Rgb8).unwrap();
-    file
-}
-
 /// Data for reopening the face.
 pub fn source<'a>(face: &'a FaceModel, history: Option<&'a str>) -> Source<'a> {
-    Source { face, triangulation: face.triangulation(), density: 0, history, in_photo: None }
+    Source { face, triangulation: face.triangulation(), density: 0, history, photo_edit: None }
 }
 
 /// A parsed GLB.

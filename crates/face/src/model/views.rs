@@ -1,13 +1,12 @@
 //! The photos of a face model.
 
 use glam::{DVec2, DVec3};
-use rosto_photo::Photo;
 
 use super::fitting::Fitted;
 use super::joint_fit::{self, JointFit, LeftOut, PhotoInput, Reprojection};
-use super::{FaceInput, FaceModel, check_count};
+use super::{FaceModel, check_count};
 use crate::camera::Camera;
-use crate::{FaceError, LANDMARK_COUNT, PhotoLens, Triangulation};
+use crate::{FaceError, LANDMARK_COUNT, MAX_PICTURE_SIDE_PX, Observation, Photo, PhotoLens, Triangulation};
 
 /// Largest number of photos of one face.
 pub const MAX_PHOTOS: usize = 5;
@@ -17,20 +16,12 @@ pub const MAX_PHOTOS: usize = 5;
 pub struct View {
     /// Index of the photo, in input order.
     pub photo: usize,
-    /// The upright picture, possibly a scaled-down copy.
-    pub picture: Photo,
-    /// Width and height in px of the upright picture in which the landmarks were found.
-    pub photo_size_px: [u32; 2],
-    /// The input landmarks, with the irises if detected, unchanged bit for bit.
-    pub landmarks: Vec<[f32; 3]>,
+    /// The face as found in the photo.
+    pub observation: Observation,
     /// Texture coordinates of the 468 landmarks, x/W and y/H, origin at the top left.
     pub uvs: Vec<DVec2>,
-    /// The camera, in px of [`Self::photo_size_px`].
+    /// The camera, in px of the photo.
     pub camera: Camera,
-    /// Lens data of the photo, as passed.
-    pub lens: PhotoLens,
-    /// 468 sRGB colours: the photo's pixel at each landmark.
-    pub colours_srgb: Vec<[u8; 3]>,
     /// Reprojection error of the model; 0 for the lead photo, with which the model coincides.
     pub reprojection: Reprojection,
 }
@@ -56,18 +47,18 @@ impl FaceModel {
     /// # Errors
     /// [`FaceError::PhotoCount`] for no photos or too many, [`FaceError::InPhoto`] with the error of [`Self::new`] for
     /// one photo, and [`FaceError::AnotherFace`] for a photo that shows another face.
-    pub fn from_photos(inputs: Vec<FaceInput<'_>>, triangulation: Triangulation) -> Result<Self, FaceError> {
-        if !(1..=MAX_PHOTOS).contains(&inputs.len()) {
-            return Err(FaceError::PhotoCount { found: inputs.len(), most: MAX_PHOTOS });
+    pub fn from_photos(photos: Vec<Observation>, triangulation: Triangulation) -> Result<Self, FaceError> {
+        if !(1..=MAX_PHOTOS).contains(&photos.len()) {
+            return Err(FaceError::PhotoCount { found: photos.len(), most: MAX_PHOTOS });
         }
-        for (photo, input) in inputs.iter().enumerate() {
-            check_count("colours", LANDMARK_COUNT, input.colours.len())
+        for (photo, observation) in photos.iter().enumerate() {
+            check_count("colours", LANDMARK_COUNT, observation.colours_srgb.len())
                 .map_err(|reason| FaceError::InPhoto { photo, reason: Box::new(reason) })?;
         }
-        let photo_inputs: Vec<PhotoInput<'_>> = inputs.iter().map(PhotoInput::of).collect();
-        let JointFit { lead, fitted, others: mut seen } = joint_fit::fit(&photo_inputs)?;
+        let inputs: Vec<PhotoInput<'_>> = photos.iter().map(PhotoInput::of).collect();
+        let JointFit { lead, fitted, others: mut seen } = joint_fit::fit(&inputs)?;
         seen.insert(lead, (lead, fitted.camera, Reprojection::default()));
-        let mut views: Vec<View> = inputs.into_iter().zip(seen).map(|(input, seen)| View::new(input, seen)).collect();
+        let mut views: Vec<View> = photos.into_iter().zip(seen).map(|(photo, seen)| View::new(photo, seen)).collect();
         views[..=lead].rotate_right(1);
         Ok(Self::from_fitted(triangulation, fitted, views))
     }
@@ -76,9 +67,9 @@ impl FaceModel {
     ///
     /// # Errors
     /// See [`Self::from_photos`].
-    pub fn with_photo(&self, input: FaceInput<'_>) -> Result<Self, FaceError> {
-        let inputs = self.inputs().into_iter().chain([input]);
-        Self::from_photos(inputs.collect(), self.triangulation)
+    pub fn with_photo(&self, photo: Observation) -> Result<Self, FaceError> {
+        let photos = self.photos().into_iter().cloned().chain([photo]);
+        Self::from_photos(photos.collect(), self.triangulation)
     }
 
     /// Removes a photo, by its index in input order. The result is the same as with [`Self::from_photos`]; an unknown
@@ -87,8 +78,8 @@ impl FaceModel {
     /// # Errors
     /// See [`Self::from_photos`]; [`FaceError::PhotoCount`] for the only photo.
     pub fn without_photo(&self, photo: usize) -> Result<Self, FaceError> {
-        let inputs = self.inputs().into_iter().enumerate();
-        let others = inputs.filter(|(other, _)| *other != photo).map(|(_, input)| input);
+        let photos = self.photos().into_iter().enumerate();
+        let others = photos.filter(|(other, _)| *other != photo).map(|(_, photo)| photo.clone());
         Self::from_photos(others.collect(), self.triangulation)
     }
 
@@ -98,14 +89,17 @@ impl FaceModel {
     /// [`FaceError::Lens`] if the lens is invalid.
     pub fn with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
         let (fitted, others) = match self.views() {
-            [only] => (Fitted::new(&only.landmarks, only.photo_size_px, lens)?, Vec::new()),
+            [only] => {
+                let Observation { landmarks, photo_size_px, .. } = &only.observation;
+                (Fitted::new(landmarks, *photo_size_px, lens)?, Vec::new())
+            }
             _ => {
                 let JointFit { fitted, others, .. } = joint_fit::fit(&self.photo_inputs(lens))?;
                 (fitted, others)
             }
         };
         let mut views = self.views.clone();
-        (views[0].lens, views[0].camera) = (lens, fitted.camera);
+        (views[0].observation.lens, views[0].camera) = (lens, fitted.camera);
         for (view, (_, camera, reprojection)) in views[1..].iter_mut().zip(others) {
             (view.camera, view.reprojection) = (camera, reprojection);
         }
@@ -117,11 +111,11 @@ impl FaceModel {
         &self.views
     }
 
-    /// The original inputs, in input order.
-    fn inputs(&self) -> Vec<FaceInput<'_>> {
+    /// The photos, in input order.
+    pub fn photos(&self) -> Vec<&Observation> {
         let mut views: Vec<&View> = self.views.iter().collect();
         views.sort_by_key(|view| view.photo);
-        views.into_iter().map(View::input).collect()
+        views.into_iter().map(|view| &view.observation).collect()
     }
 
     /// Leaves out each photo in turn, and measures how well the others predict it; empty for fewer than three.
@@ -134,42 +128,29 @@ impl FaceModel {
 
     /// Facts about each photo in input order, with `lens` for the lead photo.
     fn photo_inputs(&self, lens: PhotoLens) -> Vec<PhotoInput<'_>> {
-        let mut inputs: Vec<PhotoInput<'_>> = self.inputs().iter().map(PhotoInput::of).collect();
+        let mut inputs: Vec<PhotoInput<'_>> = self.photos().into_iter().map(PhotoInput::of).collect();
         inputs[self.views[0].photo].lens = lens;
         inputs
     }
 }
 
 impl<'a> PhotoInput<'a> {
-    fn of(input: &FaceInput<'a>) -> Self {
-        Self { landmarks: input.landmarks, size_px: [input.width, input.height], lens: input.lens }
+    fn of(photo: &'a Observation) -> Self {
+        Self { landmarks: &photo.landmarks, size_px: photo.photo_size_px, lens: photo.lens }
     }
 }
 
 impl View {
-    pub(super) fn new(input: FaceInput<'_>, (photo, camera, reprojection): (usize, Camera, Reprojection)) -> Self {
+    pub(super) fn new(
+        mut observation: Observation,
+        (photo, camera, reprojection): (usize, Camera, Reprojection),
+    ) -> Self {
         let uv = |p: &[f32; 3]| DVec3::from(p.map(f64::from)).truncate();
-        Self {
-            photo,
-            picture: input.picture,
-            photo_size_px: [input.width, input.height],
-            landmarks: input.landmarks.to_vec(),
-            uvs: input.landmarks[..LANDMARK_COUNT].iter().map(uv).collect(),
-            camera,
-            lens: input.lens,
-            colours_srgb: input.colours.to_vec(),
-            reprojection,
+        let uvs = observation.landmarks[..LANDMARK_COUNT].iter().map(uv).collect();
+        let is_large = |picture: &Photo| picture.width().max(picture.height()) > MAX_PICTURE_SIDE_PX;
+        if let Some(large) = observation.picture.take_if(|picture| is_large(picture)) {
+            observation.picture = Some(large.scaled_down(MAX_PICTURE_SIDE_PX));
         }
-    }
-
-    fn input(&self) -> FaceInput<'_> {
-        FaceInput {
-            landmarks: &self.landmarks,
-            width: self.photo_size_px[0],
-            height: self.photo_size_px[1],
-            colours: &self.colours_srgb,
-            picture: self.picture.clone(),
-            lens: self.lens,
-        }
+        Self { photo, observation, uvs, camera, reprojection }
     }
 }

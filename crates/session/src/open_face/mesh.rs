@@ -40,7 +40,7 @@ impl OpenFace {
         self.commit(edit_options);
         let position_m = self.selected_m();
         self.document = self.over(triangulation, self.model.positions_m().to_vec())?;
-        self.triangulation = triangulation;
+        self.model.set_triangulation(triangulation);
         self.pins.retain(|pin| (*pin as usize) < LANDMARK_COUNT);
         if let (Some(Selection::Point { level, .. }), Some(position_m)) = (self.selection, position_m) {
             self.selection = Some(Selection::Point { level, vertex: self.nearest(position_m) });
@@ -60,10 +60,8 @@ impl OpenFace {
     /// Replaces the model and reapplies the edits.
     pub(super) fn replace_model(&mut self, model: FaceModel, edit_options: &EditOptions) -> Result<(), SessionError> {
         self.commit(edit_options);
-        self.document = self.over(self.triangulation, model.positions_m().to_vec())?;
+        self.document = self.over(model.triangulation(), model.positions_m().to_vec())?;
         self.model = model;
-        // The texture belongs to the previous camera.
-        self.texture = None;
         self.photo.invalidate();
         self.rows.read(&self.document, 0);
         self.prepare(edit_options);

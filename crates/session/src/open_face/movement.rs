@@ -37,6 +37,16 @@ impl OpenFace {
         weights
     }
 
+    /// Weight of an expression, as in [`Self::weights`].
+    pub fn weight(&self, expression: Expression) -> f64 {
+        let moving = match self.moving {
+            Moving::Expression { expression, partner } => [Some(expression), partner],
+            _ => [None; 2],
+        };
+        let moving = moving.into_iter().flatten().filter(|(moved, _)| *moved == expression).map(|(_, by)| by);
+        self.committed_weight(expression) + moving.sum::<f64>()
+    }
+
     /// Sum of an expression's entries in force.
     pub(super) fn committed_weight(&self, expression: Expression) -> f64 {
         self.rows.in_force(EditTarget::Expression(expression)).map(|row| row.amount / PER_CENT).sum()
@@ -51,6 +61,14 @@ impl OpenFace {
             Command::Symmetrise { .. } | Command::Express { .. } => None,
         });
         offsets.sum::<DVec3>() * MM_PER_M
+    }
+
+    /// Offset of the selection in mm: the sum of its entries in force and the edit in progress.
+    pub fn offset_mm(&self) -> DVec3 {
+        match self.moving {
+            Moving::Selection { offset_mm } => self.committed_mm() + offset_mm,
+            _ => self.committed_mm(),
+        }
     }
 
     /// Whether the history contains entries in force that moved the selection.

@@ -1,5 +1,5 @@
-use glam::{DMat3, DVec2, DVec3};
-use rosto_export::about;
+use glam::DVec2;
+use rosto_export::{Eyes, about};
 use rosto_studio::project;
 
 use super::{MM_PER_M, OpenFace};
@@ -13,20 +13,6 @@ impl OpenFace {
     /// The edits as versioned JSON.
     pub fn history_json(&self) -> String {
         project::to_json(self.document.history().entries())
-    }
-
-    /// Positions in MediaPipe's normalised image coordinates.
-    pub fn positions_image(&self) -> Vec<DVec3> {
-        let image_from_model: DMat3 = self.model.image_from_model();
-        let moved = self.document.positions().iter().zip(self.document.rest());
-        let moved = moved.map(|(now, before)| image_from_model * (*now - *before));
-        let rest = self.document.from_cage(self.model.positions_image());
-        rest.into_iter().zip(moved).map(|(before, moved)| before + moved).collect()
-    }
-
-    /// Positions in millimetres.
-    pub fn positions_mm(&self) -> Vec<DVec3> {
-        self.document.positions().iter().map(|&position| position * MM_PER_M).collect()
     }
 
     /// Data of the face apart from its mesh, as JSON ([`about`]); measures use the edited landmarks.
@@ -58,9 +44,16 @@ impl OpenFace {
         self.document.from_cage(self.model.uvs())
     }
 
-    /// Colour of each displayed vertex: the landmarks' own colours, and the photo's for vertices between them.
-    pub fn colours_srgb(&self, uvs: &[DVec2]) -> Vec<[u8; 3]> {
-        self.model.colours_under(uvs)
+    /// Colour of each displayed vertex, interpolated from those of the landmarks.
+    pub fn colours_srgb(&self) -> Vec<[u8; 3]> {
+        rosto_studio::vertex_colours(&self.model, &self.document)
+    }
+
+    /// Numbers of vertices and triangles of the displayed mesh, or of the mesh with eyes and mouth in separate pieces.
+    pub fn mesh_counts(&self, eyes: Eyes) -> [usize; 2] {
+        let split = (eyes == Eyes::Pieces).then(|| self.document.split_face());
+        let topology = split.as_ref().map_or(self.document.topology(), |split| split.topology());
+        [topology.vertex_count(), topology.triangles().len()]
     }
 
     /// Relative change in the length of each displayed vertex's edges, scaled so that ±20 % is ±1 and clamped.

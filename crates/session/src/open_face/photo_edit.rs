@@ -137,18 +137,19 @@ impl OpenFace {
         self.photo.invalidate();
     }
 
-    /// View distance and strokes of the photo, as JSON text for [`Work::photo`](crate::Work::photo).
-    pub fn photo_json(&self) -> String {
-        self.photo.strokes.to_json(self.photo.seen_from_m)
+    /// The edits of the photo alone, for files; `None` if there are none.
+    pub(crate) fn saved_photo_edit(&self) -> Option<rosto::PhotoEdit> {
+        let PhotoEdit { seen_from_m, strokes, .. } = &self.photo;
+        let edit = rosto::PhotoEdit { seen_from_m: *seen_from_m, strokes: strokes.done().to_vec() };
+        (edit != rosto::PhotoEdit::default()).then_some(edit)
     }
 
-    /// The photo-edit data for a file; `None` without photo edits.
-    pub(crate) fn photo_edit_json(&self) -> Option<String> {
-        (self.photo.seen_from_m.is_some() || self.photo.strokes.count() > 0).then(|| self.photo_json())
+    pub(crate) fn restore_photo_edit(&mut self, edit: rosto::PhotoEdit) {
+        self.restore_photo(edit.seen_from_m, Strokes::new(edit.strokes));
     }
 
-    /// Restores the data written by [`Self::photo_json`].
-    pub(crate) fn restore_photo(&mut self, seen_from_m: Option<f64>, strokes: Strokes) {
+    /// Restores view distance and strokes.
+    pub(super) fn restore_photo(&mut self, seen_from_m: Option<f64>, strokes: Strokes) {
         (self.photo.seen_from_m, self.photo.strokes) = (seen_from_m, strokes);
         self.photo.invalidate();
     }

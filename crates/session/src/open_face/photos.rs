@@ -1,9 +1,8 @@
-use rosto_face::{FaceModel, Turn};
+use rosto_face::{FaceModel, Observation, PhotoLens, Turn};
 
 use super::{OpenFace, PhotoEdit};
 use crate::edit_options::EditOptions;
 use crate::error::SessionError;
-use crate::further_photo::FurtherPhoto;
 
 /// A photo of a face, for display.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,9 +38,19 @@ impl OpenFace {
         Turn::missing(self.model.views().iter().map(|view| view.camera.pose()))
     }
 
+    /// Index of the lead photo, in the order in which they were added.
+    pub fn lead_photo(&self) -> usize {
+        self.model.views()[0].photo
+    }
+
+    /// Lens by the lead photo's own data, whichever is used.
+    pub fn found_lens(&self) -> PhotoLens {
+        self.model.views()[0].observation.found_lens
+    }
+
     /// Adds a photo to the model and reapplies the edits. Returns whether the lead photo changed.
-    pub(crate) fn add_photo(&mut self, photo: &FurtherPhoto, edit_options: &EditOptions) -> Result<bool, SessionError> {
-        self.use_photos(self.model.with_photo(photo.input())?, edit_options)
+    pub(crate) fn add_photo(&mut self, photo: Observation, edit_options: &EditOptions) -> Result<bool, SessionError> {
+        self.use_photos(self.model.with_photo(photo)?, edit_options)
     }
 
     /// Removes a photo from the model and reapplies the edits. Returns whether the lead photo changed.

@@ -13,8 +13,8 @@ impl Session {
         let marks_change = matches!(intent, Intent::Before(_) | Intent::Wipe(_) | Intent::MarkAnchors(_));
         let mut left = Changed::Nothing;
         match intent {
-            Intent::Shading(paint) => self.view.shading = paint,
-            Intent::Lens(lens) => self.view.lens = lens,
+            Intent::Shading(paint) => self.stage.render_settings_mut().shading = paint,
+            Intent::Lens(lens) => self.stage.camera_mut().set_lens(lens),
             Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
             Intent::Background(background) => self.view.background = background,
             Intent::Turntable(turntable) => {
@@ -36,7 +36,7 @@ impl Session {
                 let share = share.map(|share| within("the share", share, 0.0, 1.0)).transpose()?;
                 self.stage.render_settings_mut().wipe = share;
             }
-            Intent::PictureLight(light) => self.view.picture_light = light,
+            Intent::PictureLight(light) => self.stage.render_settings_mut().picture_light = light,
             Intent::MarkAnchors(switch) => self.view.anchors = switch,
             Intent::Orbit(by_px) if by_px.is_finite() => {
                 left = self.leave_photo();

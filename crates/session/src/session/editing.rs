@@ -1,22 +1,33 @@
 use glam::DVec3;
 use rosto_face::{PhotoLens, Triangulation};
-use rosto_studio::{Document, EditsInRig, Expression, FaceSlider, Rig, StudioError, Switch};
+use rosto_studio::{Document, Expression, FaceSlider, StudioError, Switch};
 
 use super::opening::prepare;
 use super::{Result, Session};
 use crate::error::within;
 use crate::gesture::{Gesture, Hovered};
-use crate::incoming::MAX_SHOWN_DENSITY;
-use crate::open_face::{MAX_OFFSET_M, MM_PER_M, OpenFace};
+use crate::open_face::{MAX_OFFSET_M, MIN_MM, MM_PER_M, OpenFace};
+use crate::saved::MAX_SHOWN_DENSITY;
 use crate::{Changed, EditOptions, SessionError};
+
+fn check_offset(offset_mm: DVec3) -> Result<(), SessionError> {
+    let max_mm = MAX_OFFSET_M * MM_PER_M;
+    offset_mm.to_array().into_iter().try_for_each(|along| within("an offset in mm", along, -max_mm, max_mm).map(drop))
+}
 
 /// Edits, undo and redo.
 impl Session {
+    /// Moves the selection to an offset, which includes earlier entries.
+    pub(super) fn offset(&mut self, offset_mm: DVec3) -> Result {
+        check_offset(offset_mm)?;
+        let committed_mm = self.face.as_ref().map(OpenFace::committed_mm).unwrap_or_default();
+        // Sums of entries differ from the typed number by rounding.
+        self.preview((offset_mm - committed_mm).map(|by_mm| if by_mm.abs() > MIN_MM { by_mm } else { 0.0 }))
+    }
+
+    /// Moves the selection by an offset from the last commit.
     pub(super) fn preview(&mut self, offset_mm: DVec3) -> Result {
-        let max_mm = MAX_OFFSET_M * MM_PER_M;
-        for along in offset_mm.to_array() {
-            within("an offset in mm", along, -max_mm, max_mm)?;
-        }
+        check_offset(offset_mm)?;
         let Some(face) = &mut self.face else { return Ok(Changed::Nothing) };
         let was_sliding = face.is_sliding();
         if was_sliding {
@@ -142,26 +153,12 @@ impl Session {
         }
         face.set_photo_lens(lens, &self.edit_options)?;
         self.new_mesh();
+        self.textures.restart();
         self.show_pinhole();
         Ok(Changed::Mesh)
     }
 
     pub(super) fn new_mesh(&mut self) {
         (self.gesture, self.hovered) = (Gesture::Idle, Hovered::default());
-    }
-
-    /// The face as a rig with expressions.
-    pub(crate) fn rig(&mut self, edits: EditsInRig) -> Result<Rig, SessionError> {
-        Ok(Rig::new(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut(), edits)?)
-    }
-
-    /// The face as a rig at its current positions.
-    pub(crate) fn still_rig(&mut self, edits: EditsInRig) -> Result<Rig, SessionError> {
-        Ok(Rig::still(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut(), edits))
-    }
-
-    /// Displacement by each entry.
-    pub(crate) fn displacements(&mut self) -> Result<Vec<Vec<DVec3>>, SessionError> {
-        Ok(self.face.as_mut().ok_or(SessionError::NoFace)?.document_mut().displacements())
     }
 }

@@ -7,7 +7,7 @@ use rosto_studio::{Details, Expression, FaceSlider, Mirror, StudioError, Switch}
 
 use super::Session;
 use crate::faces::{bits, detected, session};
-use crate::{FurtherPhoto, Incoming, Intent, Pace, Preset, Selection, SelectionMode, SessionError};
+use crate::{Intent, Pace, Preset, Selection, SelectionMode, SessionError};
 
 /// Upper bound on the fallible calls of an intent.
 const MAX_CALLS: u32 = 100;
@@ -18,7 +18,7 @@ fn edited_session() -> Session {
     let mut session = session();
     for intent in [
         Intent::Select(Some(Selection::Landmark(61))),
-        Intent::Preview(DVec3::new(1.0, 2.0, 3.0)),
+        Intent::Offset(DVec3::new(1.0, 2.0, 3.0)),
         Intent::Commit,
         Intent::Slide(FaceSlider::NoseWidth, 1.0),
         Intent::Commit,
@@ -28,12 +28,6 @@ fn edited_session() -> Session {
         session.apply(intent).unwrap();
     }
     session
-}
-
-/// The same face in a further photo.
-fn further() -> FurtherPhoto {
-    let Incoming { landmarks, photo_size_px, colours_srgb, picture, lens, .. } = detected();
-    FurtherPhoto { landmarks, photo_size_px, colours_srgb, picture, lens }
 }
 
 /// States of an edit in progress before the intent.
@@ -47,9 +41,9 @@ fn edits_in_progress() -> Vec<Vec<Intent>> {
     let press = || Intent::Press(nose_px, Pointer::Fine);
     vec![
         vec![],
-        vec![Intent::Preview(DVec3::new(0.0, 2.0, 1.0))],
-        vec![Intent::Preview(DVec3::new(2.0, 2.0, 1.0))],
-        vec![Intent::Details(Details::AsRigidAsPossible), Intent::Preview(DVec3::Y)],
+        vec![Intent::Offset(DVec3::new(0.0, 2.0, 1.0))],
+        vec![Intent::Offset(DVec3::new(2.0, 2.0, 1.0))],
+        vec![Intent::Details(Details::AsRigidAsPossible), Intent::Offset(DVec3::Y)],
         vec![Intent::Slide(FaceSlider::NoseLength, 1.0)],
         vec![Intent::Express(Expression::JawOpen, 0.5)],
         vec![Intent::Mode(SelectionMode::Region), press()],
@@ -69,16 +63,16 @@ fn intents() -> Vec<Intent> {
         Intent::Density(1),
         Intent::Triangulation(Triangulation::Tessellation),
         Intent::PhotoLens(PhotoLens::Distance(0.4)),
-        Intent::AddPhoto(Box::new(further())),
+        Intent::AddPhoto(Box::new(detected())),
         Intent::RemovePhoto(1),
-        Intent::Preview(DVec3::new(0.0, 1.0, 0.0)),
-        Intent::Preview(DVec3::new(1.0, 1.0, 0.0)),
+        Intent::Offset(DVec3::new(0.0, 1.0, 0.0)),
+        Intent::Offset(DVec3::new(1.0, 1.0, 0.0)),
         Intent::Slide(FaceSlider::NoseWidth, 0.5),
         Intent::Slide(FaceSlider::NoseLength, 0.5),
         Intent::Express(Expression::JawOpen, 0.2),
         Intent::Express(Expression::BrowInnerUp, 0.2),
         Intent::Drag(position_px, Pace::Usual),
-        Intent::Along(Axis::X),
+        Intent::Along(Some(Axis::X)),
         Intent::Release,
         Intent::Mode(SelectionMode::Point),
         Intent::Select(Some(Selection::Landmark(152))),
@@ -149,7 +143,7 @@ fn refused_intents_leave_the_session_unchanged() {
         Intent::PhotoLens(PhotoLens::Distance(0.4)),
         Intent::Slide(FaceSlider::NoseWidth, 0.5),
         Intent::Express(Expression::JawOpen, 0.2),
-        Intent::Preview(DVec3::new(1.0, 1.0, 0.0)),
+        Intent::Offset(DVec3::new(1.0, 1.0, 0.0)),
         Intent::Drag(DVec2::new(420.0, 320.0), Pace::Usual),
     ] {
         assert!(refusals[&format!("{intent:?}")] > 0, "{intent:?} was not refused");

@@ -1,21 +1,21 @@
+use rosto::SavedFace;
 use rosto_face::canonical_positions_m;
 use rosto_stage::Scene;
 
 use super::{Result, Session, preferences};
 use crate::gesture::{Gesture, Hovered};
-use crate::incoming::{self, Incoming};
 use crate::open_face::OpenFace;
+use crate::saved;
 use crate::{Changed, EditOptions, Motion, Selection, SelectionMode, SessionError};
 
 /// Opening and closing faces.
 impl Session {
-    pub(super) fn open(&mut self, incoming: Incoming) -> Result {
-        let mut face = incoming::opened(incoming, (self.view.triangulation, self.view.density))?;
+    pub(super) fn open(&mut self, face: SavedFace) -> Result {
+        let mut face = saved::opened(face, (self.view.triangulation, self.view.density))?;
         face.set_falloff_band(self.view.falloff_band);
         prepare(&mut face, self.mode, &self.edit_options, self.seeds.peek());
-        self.view.triangulation = face.triangulation();
-        self.view.density = face.document().density();
         self.face = Some(face);
+        self.textures.restart();
         (self.gesture, self.hovered, self.brush_px) = (Gesture::Idle, Hovered::default(), None);
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
@@ -45,6 +45,7 @@ impl Session {
         let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
         let is_another = change(face, &self.edit_options)?;
         self.new_mesh();
+        self.textures.restart();
         match is_another {
             true => self.frame_in_photo(),
             false => self.show_pinhole(),
@@ -90,12 +91,13 @@ impl Session {
         (self.mode, self.edit_options, self.view) = (preferences.mode, preferences.edit_options, preferences.view);
         let look = self.stage.render_settings_mut();
         (look.light, look.dots) = (preferences.light, preferences.dots);
+        (look.shading, look.picture_light) = (preferences.shading, preferences.picture_light);
+        self.stage.camera_mut().set_lens(preferences.lens);
         self.view.show_on(&mut self.stage, self.face.is_none());
         self.show_scene();
+        // The open face keeps its mesh; the preference applies to the next one.
         let Some(face) = &mut self.face else { return Ok(Changed::Document) };
         face.set_falloff_band(self.view.falloff_band);
-        // The open face keeps its mesh; the preference applies to the next one.
-        (self.view.triangulation, self.view.density) = (face.triangulation(), face.document().density());
         let wanted = face.selection_in(self.mode);
         face.select(wanted, &self.edit_options, self.seeds.draw());
         Ok(Changed::Document)

@@ -1,18 +1,27 @@
 use glam::{DVec2, DVec3};
 use rosto_face::{Camera, DISTANCES_M};
 use rosto_stage::{NamedView, PicturePlane, Pinhole, Scene};
-use rosto_studio::FALLOFF_BAND_SHARES;
+use rosto_studio::{DEFAULT_FALLOFF_BAND, FALLOFF_BAND_SHARES};
 use rosto_warp::Dab;
 
 use super::{Result, Session};
 use crate::error::within;
 use crate::gesture::Gesture;
 use crate::open_face::OpenFace;
+use crate::range::Range;
 use crate::strokes::Strokes;
 use crate::{Changed, Motion, SessionError};
 
 /// Range of the brush's radius, in CSS px.
-pub const BRUSH_PX: [f64; 2] = [4.0, 120.0];
+pub const BRUSH_PX: Range = Range { min: 4.0, max: 120.0, step: 1.0, neutral: 28.0 };
+
+/// Range of the falloff band, as a share of the face's longer side.
+pub const FALLOFF_BAND: Range = Range {
+    min: *FALLOFF_BAND_SHARES.start(),
+    max: *FALLOFF_BAND_SHARES.end(),
+    step: 0.01,
+    neutral: DEFAULT_FALLOFF_BAND,
+};
 
 /// Angle by which the view is turned to show edits in depth, in radians.
 const ASIDE: f64 = 0.9;
@@ -70,8 +79,7 @@ impl Session {
     }
 
     pub(super) fn set_falloff_band(&mut self, falloff_band: f64) -> Result {
-        self.view.falloff_band =
-            within("the falloff band's share", falloff_band, *FALLOFF_BAND_SHARES.start(), *FALLOFF_BAND_SHARES.end())?;
+        self.view.falloff_band = within("the falloff band's share", falloff_band, FALLOFF_BAND.min, FALLOFF_BAND.max)?;
         if let Some(face) = &mut self.face {
             face.set_falloff_band(falloff_band);
         }
@@ -91,7 +99,7 @@ impl Session {
     pub(super) fn set_brush(&mut self, radius_px: Option<f64>) -> Result {
         // Strokes cannot be placed on a camera stream.
         let radius_px = radius_px.filter(|_| self.live_preview.is_none());
-        self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX[0], BRUSH_PX[1])).transpose()?;
+        self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX.min, BRUSH_PX.max)).transpose()?;
         if self.brush_px.is_some() && self.view.scene != Scene::Picture {
             self.set_scene(Scene::Picture);
         }

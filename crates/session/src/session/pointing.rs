@@ -112,9 +112,8 @@ impl Session {
         Ok(Changed::Document)
     }
 
-    pub(super) fn drag_along(&mut self, wanted: Axis) -> Result {
-        let Gesture::Dragging { drag, axis, to_px, pace, .. } = &self.gesture else { return Ok(Changed::Nothing) };
-        let axis = if *axis == Some(wanted) { None } else { Some(wanted) };
+    pub(super) fn drag_along(&mut self, axis: Option<Axis>) -> Result {
+        let Gesture::Dragging { drag, to_px, pace, .. } = &self.gesture else { return Ok(Changed::Nothing) };
         self.drag_to(drag.clone(), axis, *to_px, *pace)
     }
 

@@ -20,6 +20,9 @@ pub(crate) struct Preferences {
     pub view: View,
     pub light: Light,
     pub dots: Dots,
+    pub shading: ShadingMode,
+    pub picture_light: PictureLight,
+    pub lens: Lens,
 }
 
 impl Session {
@@ -46,17 +49,17 @@ impl Session {
             "turned": edit_options.details == Details::AsRigidAsPossible,
             "scene": view.scene.id(),
             "falloff-band": view.falloff_band,
-            "paint": view.shading.id(),
+            "paint": settings.shading.id(),
             "texture-source": view.texture_source.id(),
             "texture": view.texture_size.id(),
-            "lens": view.lens.id(),
+            "lens": self.stage().camera().lens().id(),
             "wireframe": view.wireframe == Visibility::Shown,
             "background": background,
             "turntable": view.turntable == Turntable::Turns,
             "triangulation": view.triangulation.id(),
             "density": view.density,
             "dots": settings.dots.id(),
-            "photo_light": view.picture_light.id(),
+            "photo_light": settings.picture_light.id(),
             "anchors_marked": view.anchors == Switch::On,
             "light": [light.azimuth_deg, light.elevation_deg, light.strength, light.ambient],
             "light_colour": light.colour.0,
@@ -93,16 +96,13 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         falloff_band: Some(number("falloff-band")?)
             .filter(|falloff_band| FALLOFF_BAND_SHARES.contains(falloff_band))
             .ok_or(missing("falloff-band"))?,
-        shading: named(&value, "paint", ShadingMode::from_id)?,
         texture_source: named(&value, "texture-source", TextureSource::from_id)?,
         texture_size: named(&value, "texture", TextureSize::from_id)?,
-        lens: named(&value, "lens", Lens::from_id)?,
         wireframe: if flag("wireframe")? { Visibility::Shown } else { Visibility::Hidden },
         background: background(&value["background"]).ok_or(missing("background"))?,
         turntable: if flag("turntable")? { Turntable::Turns } else { Turntable::Still },
         triangulation: named(&value, "triangulation", Triangulation::from_id)?,
         density: density.ok_or(missing("density"))? as u32,
-        picture_light: named(&value, "photo_light", PictureLight::from_id)?,
         anchors: if flag("anchors_marked")? { Switch::On } else { Switch::Off },
         motion: now.motion,
     };
@@ -112,6 +112,9 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         view,
         light: light(&value).ok_or(missing("light"))?,
         dots: named(&value, "dots", Dots::from_id)?,
+        shading: named(&value, "paint", ShadingMode::from_id)?,
+        picture_light: named(&value, "photo_light", PictureLight::from_id)?,
+        lens: named(&value, "lens", Lens::from_id)?,
     })
 }
 

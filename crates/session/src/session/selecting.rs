@@ -4,8 +4,6 @@ use rosto_studio::{SMOOTH_DENSITY, Switch};
 
 use super::opening::prepare;
 use super::{Result, Session};
-use crate::edit_options::RADIUS_MM;
-use crate::error::bounded_factor;
 use crate::gesture::Gesture;
 use crate::{Changed, EditOptions, Preset, Selection, SelectionMode, SessionError};
 
@@ -76,12 +74,13 @@ impl Session {
 
     /// The paper edits landmarks only, so its preset shows the cage; the sculpting preset shows a smooth face.
     pub(super) fn set_preset(&mut self, preset: Preset) -> Result {
+        let shown = self.density();
         let density = match preset {
             Preset::Paper => 0,
-            Preset::Sculpt => self.view.density.max(SMOOTH_DENSITY),
+            Preset::Sculpt => shown.max(SMOOTH_DENSITY),
         };
         let changed = self.choose(preset.edit_options(self.edit_options.radius_mm))?;
-        if density == self.view.density { Ok(changed) } else { self.set_density(density) }
+        if density == shown { Ok(changed) } else { self.set_density(density) }
     }
 
     /// Changes the settings; an edit in progress continues with them.
@@ -91,13 +90,5 @@ impl Session {
             face.keep_prepared(&self.edit_options);
         }
         Ok(Changed::Document)
-    }
-
-    pub(super) fn widen(&mut self, factor: f64) -> Result {
-        let factor = bounded_factor(factor)?;
-        // Whole steps, as in the panel.
-        let radius_mm = (self.edit_options.radius_mm * factor / RADIUS_MM.step).round() * RADIUS_MM.step;
-        let radius_mm = radius_mm.clamp(RADIUS_MM.min, RADIUS_MM.max);
-        self.choose(self.edit_options.with_radius(radius_mm)?)
     }
 }

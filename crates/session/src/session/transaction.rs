@@ -16,7 +16,7 @@ impl Session {
             | Intent::AddPhoto(_)
             | Intent::RemovePhoto(_)
             | Intent::Triangulation(_) => true,
-            Intent::Preview(_) => face.is_some_and(|face| face.is_sliding()),
+            Intent::Offset(_) => face.is_some_and(|face| face.is_sliding()),
             Intent::Slide(slider, _) => face.is_some_and(|face| face.slider() != Some(*slider)),
             Intent::Express(expression, _) => face.is_some_and(|face| face.expression() != Some(*expression)),
             Intent::Drag(..) => matches!(self.gesture, Gesture::Pressed { .. }),

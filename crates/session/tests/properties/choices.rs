@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rosto_export::{BaseColour, TextureSize};
 use rosto_face::{LANDMARK_COUNT, Region, landmark_id, part_id};
-use rosto_session::{Choice, Intent, Session, plain_formats, printed_formats};
+use rosto_session::{Choice, Intent, Session, formats};
 use rosto_studio::{Expression, FaceSlider};
 
 use crate::faces::session;
@@ -18,10 +18,10 @@ fn each_value_can_be_chosen() {
         let values = choice.values();
         assert!(values.len() > 1 && values.iter().collect::<BTreeSet<_>>().len() == values.len(), "{choice:?}");
         for id in values.iter().chain(values.iter().rev()) {
-            session.apply(choice.intent(id).unwrap()).unwrap();
+            session.apply(chosen(choice, id).unwrap()).unwrap();
             assert_eq!(session.chosen(choice).as_deref(), Some(id.as_str()), "{choice:?}");
         }
-        assert_eq!(choice.intent("of-nothing"), None);
+        assert!(chosen(choice, "of-nothing").is_err());
         assert_eq!(Choice::from_id(choice.id()), Some(choice));
     }
 }
@@ -31,7 +31,7 @@ fn preferences_restore_settings() {
     for choice in Choice::ALL.into_iter().filter(|choice| *choice != Choice::Preset) {
         for id in choice.values() {
             let mut before = session();
-            before.apply(choice.intent(&id).unwrap()).unwrap();
+            before.apply(chosen(choice, &id).unwrap()).unwrap();
             let mut after = Session::new(1);
             after.apply(Intent::RestorePreferences(before.preferences())).unwrap();
             assert_eq!(after.chosen(choice), Some(id), "{choice:?}");
@@ -60,6 +60,11 @@ fn names_are_distinct_within_a_kind() {
     }
 }
 
+/// The intent that selects a setting's value.
+fn chosen(choice: Choice, id: &str) -> serde_json::Result<Intent> {
+    serde_json::from_value(serde_json::json!({ choice.id(): id }))
+}
+
 /// Keys of the words that the ids need.
 fn named() -> Vec<String> {
     let chosen = Choice::ALL.into_iter().flat_map(|choice| {
@@ -74,7 +79,8 @@ fn named() -> Vec<String> {
     let regions = Region::ALL.into_iter().map(|region| format!("region.{}", region.id()));
     let expressions = Expression::ALL.into_iter().map(|expression| format!("expression.{}", expression.id()));
     let sliders = FaceSlider::ALL.into_iter().map(|slider| format!("slider.{}", slider.id()));
-    let formats = plain_formats().chain(printed_formats()).map(|format| format!("format.{}.help", format.id()));
+    let formats = formats().into_iter().filter(|facts| facts.is_plain || facts.is_printed);
+    let formats = formats.map(|facts| format!("format.{}.help", facts.id));
     let of_files = [
         BaseColour::ALL.map(|one| format!("base-colour.{}", one.id())).to_vec(),
         TextureSize::ALL.map(|one| format!("texture-size.{}", one.id())).to_vec(),

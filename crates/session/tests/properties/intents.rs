@@ -9,7 +9,7 @@ use rosto_stage::{
 };
 use rosto_studio::{ConstraintKind, Details, Expression, FaceSlider, Mirror, Operator, Switch};
 
-use crate::faces::{SIZE_PX, detected, with_history};
+use crate::faces::{SIZE_PX, detected, found, with_history};
 
 /// An intent of any kind.
 pub fn anything() -> impl Strategy<Value = Intent> {
@@ -65,14 +65,13 @@ fn choosing() -> impl Strategy<Value = Intent> {
         any_of(&[Mirror::On, Mirror::Off]).prop_map(Intent::Mirror),
         switch().prop_map(Intent::Nearby),
         prop_oneof![5.0..120.0, number()].prop_map(Intent::Radius),
-        prop_oneof![0.5..2.0, number()].prop_map(Intent::Widen),
     ]
 }
 
 fn moving() -> impl Strategy<Value = Intent> {
     prop_oneof![
-        4 => [-40.0..40.0, -40.0..40.0, -40.0..40.0].prop_map(|offset| Intent::Preview(DVec3::from(offset))),
-        1 => [number(), number(), number()].prop_map(|offset| Intent::Preview(DVec3::from(offset))),
+        4 => [-40.0..40.0, -40.0..40.0, -40.0..40.0].prop_map(|offset| Intent::Offset(DVec3::from(offset))),
+        1 => [number(), number(), number()].prop_map(|offset| Intent::Offset(DVec3::from(offset))),
         3 => (any_of(&FaceSlider::ALL), -1.0..1.0).prop_map(|(slider, share)| {
             Intent::Slide(slider, share * slider.range_m() * 1000.0)
         }),
@@ -92,7 +91,7 @@ fn pointing() -> impl Strategy<Value = Intent> {
         1 => prop::option::of(vertex()).prop_map(Intent::PointAt),
         3 => (position(), pointer()).prop_map(|(position, pointer)| Intent::Press(position, pointer)),
         6 => (position(), any_of(&[Pace::Usual, Pace::Fine])).prop_map(|(position, pace)| Intent::Drag(position, pace)),
-        1 => any_of(&Axis::ALL).prop_map(Intent::Along),
+        1 => prop::option::of(any_of(&Axis::ALL)).prop_map(Intent::Along),
         2 => Just(Intent::Release),
     ]
 }
@@ -172,14 +171,14 @@ fn opening() -> impl Strategy<Value = Intent> {
     let mut nowhere = detected();
     nowhere.landmarks.fill([0.5; 3]);
     let faces = vec![
-        detected(),
+        found(detected()),
         with_history(slid, Triangulation::Tessellation, 1),
         with_history(newer, Triangulation::Canonical, 0),
         with_history(slid, Triangulation::Canonical, 9),
-        nowhere,
+        found(nowhere),
     ];
     prop_oneof![
-        6 => any_of(&faces).prop_map(|incoming| Intent::Open(Box::new(incoming))),
+        6 => any_of(&faces).prop_map(|face| Intent::Open(Box::new(face))),
         1 => Just(Intent::Close),
         1 => Just(Intent::RestorePreferences("{}".to_owned())),
     ]

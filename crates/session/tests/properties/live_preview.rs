@@ -6,7 +6,7 @@ use rosto_session::{Intent, Session, SessionError};
 use rosto_stage::{Scene, Sides};
 use rosto_studio::{FaceSlider, StreamWarp};
 
-use crate::faces::{detected, open, session};
+use crate::faces::{detected, found, open, session};
 
 const FRAME_PX: [u32; 2] = [640, 480];
 
@@ -188,7 +188,7 @@ fn invalid_frames_are_refused_and_the_live_preview_continues() {
     assert!(matches!(session.preview_frame(Some(&landmarks[..7]), FRAME_PX), Err(SessionError::Face(_))));
     assert_eq!(displacements_m(&session), before);
     // Open another face during the live preview.
-    open(&mut session, detected());
+    open(&mut session, found(detected()));
     session.preview_frame(Some(&landmarks), FRAME_PX).unwrap();
     assert_eq!(furthest(displacements_m(&session).into_iter()), 0.0);
 }

@@ -7,6 +7,7 @@ mod faces;
 mod intents;
 mod invariants;
 mod live_preview;
+mod messages;
 mod photo_lens;
 mod random;
 mod refusals;

@@ -13,7 +13,7 @@ fn positions(session: &Session) -> Vec<DVec3> {
 fn nose_moved() -> Session {
     let mut session = session();
     session.apply(Intent::SelectAt(1)).unwrap();
-    session.apply(Intent::Preview(DVec3::new(0.0, 0.0, 5.0))).unwrap();
+    session.apply(Intent::Offset(DVec3::new(0.0, 0.0, 5.0))).unwrap();
     session.apply(Intent::Commit).unwrap();
     session
 }
@@ -29,7 +29,7 @@ fn another_lens_rebuilds_the_model_and_is_reversible() {
     let width = |positions: &[DVec3]| Measure::FaceWidth.of(positions);
     assert!(width(found) > 1.02 * width(&before), "perspective had made the parts behind the nose smaller");
     assert!((face.model().camera().distance_m - 0.3).abs() < 0.003);
-    assert_eq!(session.state().face.unwrap().entry_count, 1);
+    assert_eq!(session.state().entry_count, 1);
     session.apply(Intent::PhotoLens(PhotoLens::Parallel)).unwrap();
     assert_eq!(bits(&positions(&session)), bits(&before));
 }
@@ -38,11 +38,11 @@ fn another_lens_rebuilds_the_model_and_is_reversible() {
 fn another_lens_commits_the_edit_in_progress() {
     let mut session = session();
     session.apply(Intent::SelectAt(1)).unwrap();
-    session.apply(Intent::Preview(DVec3::new(0.0, 3.0, 0.0))).unwrap();
+    session.apply(Intent::Offset(DVec3::new(0.0, 3.0, 0.0))).unwrap();
     let selection = session.face().unwrap().selection();
     session.apply(Intent::PhotoLens(PhotoLens::Given(50.0))).unwrap();
-    let state = session.state().face.unwrap();
-    assert_eq!((state.entry_count, state.selection), (1, selection));
+    let state = session.state();
+    assert_eq!((state.entry_count, session.face().unwrap().selection()), (1, selection));
     session.apply(Intent::Undo).unwrap();
     let face = session.face().unwrap();
     assert_eq!(bits(face.document().positions()), bits(face.document().rest()));

@@ -1,16 +1,17 @@
 //! Invalid files and intents are refused with a reason and leave the session unchanged.
 
 use glam::{DVec2, DVec3};
-use rosto_face::{FaceError, MAX_DENSITY, Triangulation};
+use rosto::SavedFace;
+use rosto_face::{FaceError, MAX_DENSITY, Observation, Triangulation};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{
-    Incoming, Intent, MAX_ENTRIES, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError, Work,
+    Intent, MAX_ENTRIES, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError,
 };
 use rosto_stage::Light;
 use rosto_studio::project::ProjectError;
 use rosto_studio::{FaceSlider, StudioError, Switch};
 
-use crate::faces::{detected, session, with_history};
+use crate::faces::{detected, found, session, with_history};
 use crate::invariants::{check, check_thoroughly, seen};
 
 /// A session with a history and an edit in progress.
@@ -18,12 +19,12 @@ fn edited_session() -> Session {
     let mut session = session();
     for intent in [
         Intent::Select(Some(Selection::Landmark(61))),
-        Intent::Preview(DVec3::new(1.0, 2.0, 3.0)),
+        Intent::Offset(DVec3::new(1.0, 2.0, 3.0)),
         Intent::Commit,
         Intent::Slide(FaceSlider::NoseWidth, 1.0),
         Intent::Commit,
         Intent::Undo,
-        Intent::Preview(DVec3::Y),
+        Intent::Offset(DVec3::Y),
     ] {
         session.apply(intent).unwrap();
     }
@@ -38,13 +39,21 @@ fn refusal(intent: Intent) -> SessionError {
     assert!((seen(&session), session.preferences(), session.hovered(), session.has_grabbed()) == before, "{refusal}");
     check(&session).unwrap();
     session.apply(Intent::Commit).unwrap();
-    assert_eq!(session.state().face.unwrap().entry_count, 2);
+    assert_eq!(session.state().entry_count, 2);
     check_thoroughly(&session).unwrap();
     refusal
 }
 
-fn refusal_to_open(incoming: Incoming) -> SessionError {
-    refusal(Intent::Open(Box::new(incoming)))
+fn refusal_to_open(face: SavedFace) -> SessionError {
+    refusal(Intent::Open(Box::new(face)))
+}
+
+/// Reason for the refusal of a photo.
+fn refusal_of_photo(photo: Observation) -> FaceError {
+    match refusal_to_open(found(photo)) {
+        SessionError::Face(FaceError::InPhoto { photo: 0, reason }) => *reason,
+        other => panic!("{other}"),
+    }
 }
 
 /// Reason for the refusal of a history.
@@ -72,7 +81,7 @@ fn the_valid_history_is_opened() {
     let mut session = edited_session();
     let fine = with_history(&history(&[moved(0, 152, "[0, 0, 0.5]")]), Triangulation::Canonical, 0);
     session.apply(Intent::Open(Box::new(fine))).unwrap();
-    assert_eq!(session.state().face.unwrap().entry_count, 2);
+    assert_eq!(session.state().entry_count, 2);
 }
 
 #[test]
@@ -141,13 +150,14 @@ fn entries_for_nonexistent_meshes_are_refused() {
 
 #[test]
 fn degenerate_landmarks_are_refused() {
-    let nowhere = Incoming { landmarks: vec![[0.5; 3]; 468], ..detected() };
-    assert_eq!(refusal_to_open(nowhere.clone()), FaceError::Degenerate.into());
+    let nowhere = Observation { landmarks: vec![[0.5; 3]; 468], ..detected() };
+    assert_eq!(refusal_of_photo(nowhere.clone()), FaceError::Degenerate);
     let with_history = with_history(&history(&[]), Triangulation::Canonical, 0);
-    assert_eq!(refusal_to_open(Incoming { work: with_history.work, ..nowhere }), FaceError::Degenerate.into());
+    let refusal = refusal_to_open(SavedFace { photos: vec![nowhere], ..with_history });
+    assert_eq!(refusal, FaceError::InPhoto { photo: 0, reason: Box::new(FaceError::Degenerate) }.into());
     let mut infinite = detected();
     infinite.landmarks[7][1] = f32::NAN;
-    assert_eq!(refusal_to_open(infinite), FaceError::NotFinite { landmark: 7 }.into());
+    assert_eq!(refusal_of_photo(infinite), FaceError::NotFinite { landmark: 7 });
 }
 
 #[test]
@@ -155,10 +165,10 @@ fn missing_landmarks_or_colours_are_refused() {
     let mut few = detected();
     few.landmarks.pop();
     let counted = |what| FaceError::WrongCount { what, expected: 468, found: 467 };
-    assert_eq!(refusal_to_open(few), counted("landmarks").into());
+    assert_eq!(refusal_of_photo(few), counted("landmarks"));
     let mut pale = detected();
     pale.colours_srgb.pop();
-    assert_eq!(refusal_to_open(pale), counted("colours").into());
+    assert_eq!(refusal_of_photo(pale), counted("colours"));
 }
 
 #[test]
@@ -166,15 +176,14 @@ fn a_photo_without_area_is_refused() {
     for photo_size_px in [[0, 64], [64, 0], [0, 0]] {
         let [width, height] = photo_size_px;
         let empty = FaceError::EmptyPicture { width, height };
-        assert_eq!(refusal_to_open(Incoming { photo_size_px, ..detected() }), empty.into());
+        assert_eq!(refusal_of_photo(Observation { photo_size_px, ..detected() }), empty);
     }
 }
 
 #[test]
 fn a_density_beyond_the_maximum_is_refused() {
     for density in [5, 9, u32::MAX] {
-        let work = Work { triangulation: Triangulation::Canonical, density, history: history(&[]), photo: None };
-        let refusal = refusal_to_open(Incoming { work: Some(work), ..detected() });
+        let refusal = refusal_to_open(with_history(&history(&[]), Triangulation::Canonical, density));
         let (min, max) = (0.0, MAX_DENSITY.into());
         assert_eq!(refusal, SessionError::OutOfRange { what: "the density", value: density.into(), min, max });
     }
@@ -207,7 +216,7 @@ fn previews_beyond_the_maximum_offset_are_refused() {
     for value in [501.0, -501.0, 1e308, f64::INFINITY, f64::NAN] {
         for axis in DVec3::AXES {
             let offset_mm = DVec3::select(axis.cmpgt(DVec3::ZERO), DVec3::splat(value), DVec3::ONE);
-            let (refused, range) = out_of_range(Intent::Preview(offset_mm));
+            let (refused, range) = out_of_range(Intent::Offset(offset_mm));
             assert!(is_same(refused, value) && range == [-500.0, 500.0], "{offset_mm}");
         }
     }
@@ -219,7 +228,6 @@ fn a_radius_out_of_its_range_is_refused() {
         let (refused, range) = out_of_range(Intent::Radius(value));
         assert!(is_same(refused, value) && range == [RADIUS_MM.min, RADIUS_MM.max], "{value}");
     }
-    assert!(out_of_range(Intent::Widen(f64::NAN)).0.is_nan());
 }
 
 #[test]

@@ -10,7 +10,7 @@ mod selecting;
 mod sliding;
 
 use glam::{DVec2, DVec3};
-use rosto_session::{Changed, FaceState, Intent, OpenFace, Selection, SelectionMode, Session};
+use rosto_session::{Changed, Intent, OpenFace, Selection, SelectionMode, Session, State};
 
 const MM_PER_M: f64 = 1000.0;
 
@@ -23,8 +23,8 @@ fn face(session: &Session) -> &OpenFace {
     session.face().unwrap()
 }
 
-fn state(session: &Session) -> FaceState {
-    session.state().face.unwrap()
+fn state(session: &Session) -> State {
+    session.state()
 }
 
 fn select(session: &mut Session, selection: Selection) {
@@ -33,7 +33,7 @@ fn select(session: &mut Session, selection: Selection) {
 
 /// Moves the selection, as one entry.
 fn move_by(session: &mut Session, offset_mm: DVec3) {
-    act(session, Intent::Preview(offset_mm));
+    act(session, Intent::Offset(face(session).committed_mm() + offset_mm));
     act(session, Intent::Commit);
 }
 

@@ -54,7 +54,7 @@ fn filled_openings_do_not_change_the_surrounding_skin() {
 fn only_meshes_of_landmarks_are_faces() {
     let (topology, positions) = grid(26, 18);
     let subdivision = LoopSubdivision::new(&topology, 1);
-    let is_on_border = |v: u32| v % 26 == 0 || v % 26 == 25 || v < 26 || v >= 17 * 26;
+    let is_on_border = |v: u32| [0, 25].contains(&(v % 26)) || !(26..17 * 26).contains(&v);
     let part = |document: &Document| document.part_of(EditTarget::Point { level: 1, vertex: 200 });
     let of_grid = || Rest::of_mesh(topology.clone(), positions.clone());
     let mut document = Document::new(of_grid()).unwrap();

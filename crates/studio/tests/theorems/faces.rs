@@ -14,18 +14,14 @@ pub fn canonical(triangulation: Triangulation) -> Rest {
 
 /// The sample portrait's face in metres, with natural asymmetry.
 pub fn portrait(triangulation: Triangulation) -> Rest {
-    let landmarks = portrait_landmarks();
-    let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
-    let colours = [[0; 3]; LANDMARK_COUNT];
-    let input = FaceInput {
-        landmarks: &landmarks,
-        width: 512,
-        height: 512,
-        colours: &colours,
-        picture,
-        lens: PhotoLens::Parallel,
-    };
-    Rest::of_face(&FaceModel::new(input, triangulation).unwrap())
+    let observation = observed(portrait_landmarks(), 512, PhotoLens::Parallel);
+    Rest::of_face(&FaceModel::new(observation, triangulation).unwrap())
+}
+
+/// Black landmarks in a square photo without pixels.
+pub fn observed(landmarks: Vec<[f32; 3]>, side_px: u32, lens: PhotoLens) -> Observation {
+    let (photo_size_px, colours_srgb) = ([side_px; 2], vec![[0; 3]; LANDMARK_COUNT]);
+    Observation { landmarks, photo_size_px, colours_srgb, found_lens: lens, lens, picture: None }
 }
 
 /// The sample portrait's face in normalised image coordinates.

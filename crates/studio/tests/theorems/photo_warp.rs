@@ -5,7 +5,7 @@ use rosto_face::*;
 use rosto_studio::*;
 use rosto_warp::WarpMesh;
 
-use crate::faces::portrait_landmarks;
+use crate::faces::{observed, portrait_landmarks};
 use crate::seeded::Seeded;
 
 const SIZE_PX: u32 = 2048;
@@ -30,11 +30,7 @@ fn with_closed_eyes(triangulation: Triangulation) -> FaceModel {
             }
         }
     }
-    let colours = [[0; 3]; LANDMARK_COUNT];
-    let picture = Photo::from_rgb(1, 1, vec![0; 3]).unwrap();
-    let (width, height, lens) = (SIZE_PX, SIZE_PX, PhotoLens::Distance(0.6));
-    FaceModel::new(FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens }, triangulation)
-        .unwrap()
+    FaceModel::new(observed(landmarks, SIZE_PX, PhotoLens::Distance(0.6)), triangulation).unwrap()
 }
 
 /// Position to which a warp moves a point.

@@ -3,7 +3,8 @@
 use rosto_face::*;
 use rosto_studio::*;
 
-use crate::texture_truth::{DISTANCE_M, Head, SIZE_PX, errors, face};
+use crate::faces::portrait_landmarks;
+use crate::texture_truth::{DISTANCE_M, Head, SIZE_PX, errors, face, observed};
 
 const SIDE_PX: u32 = 1024;
 
@@ -41,20 +42,27 @@ fn hidden_skin_is_closer_to_the_truth_than_projected_pixels() {
 #[test]
 fn three_photos_of_different_exposure_cover_the_face() {
     let head = Head::painted(SIDE_PX);
-    let (front, camera) = taken(&head, 0.0);
-    let sides = [40.0, -40.0].map(|yaw_deg| taken(&head, yaw_deg));
-    let dimmed = sides.each_ref().map(|(face, _)| {
-        let levels = face.picture().pixels().iter().map(|level| (f64::from(*level) * 0.75) as u8);
-        Photo::from_rgb(SIZE_PX, SIZE_PX, levels.collect()).unwrap()
+    let cameras = [0.0, 40.0, -40.0].map(|yaw_deg| head.camera(yaw_deg));
+    let [front, left, right] = cameras.map(|camera| {
+        let (picture, landmarks) = (head.photo(&camera), head.landmarks(&camera));
+        observed(picture, &landmarks, PhotoLens::Distance(DISTANCE_M))
     });
-    let shots = [0, 1].map(|i| Shot { picture: &dimmed[i], uvs: sides[i].0.uvs(), camera: &sides[i].1 });
-    let whole = whole_texture_of(&front, &shots, SIDE_PX).unwrap();
-    let [_, seen] = hidden_and_seen(&head, &[camera, sides[0].1, sides[1].1]);
+    let dimmed = |photo: Observation| {
+        let pixels = photo.picture.unwrap();
+        let levels = pixels.pixels().iter().map(|level| (f64::from(*level) * 0.75) as u8);
+        Observation { picture: Some(Photo::from_rgb(SIZE_PX, SIZE_PX, levels.collect()).unwrap()), ..photo }
+    };
+    let [left, right] = [left, right].map(dimmed);
+    let texture = |photos: [&Observation; 3]| {
+        let photos = photos.map(Clone::clone).to_vec();
+        whole_texture(&FaceModel::from_photos(photos, Triangulation::Canonical).unwrap(), SIDE_PX).unwrap()
+    };
+    let whole = texture([&front, &left, &right]);
+    let [_, seen] = hidden_and_seen(&head, &cameras);
     let [median, most] = errors(&head.texture, &whole.picture, &seen);
     assert!(median < 1.5 && most < 6.0, "{median} and {most} levels");
     assert!(whole.shares.seen > 0.9, "{:?}", whole.shares);
-    let reversed = [shots[1], shots[0]];
-    let again = whole_texture_of(&front, &reversed, SIDE_PX).unwrap();
+    let again = texture([&front, &right, &left]);
     let [_, most] = errors(&whole.picture, &again.picture, &vec![true; (SIDE_PX * SIDE_PX) as usize]);
     assert!(most <= 3.0, "{most} levels by the order of the photos");
 }
@@ -64,21 +72,16 @@ fn three_photos_of_different_exposure_cover_the_face() {
 fn both_triangulations_give_the_same_texture() {
     let head = Head::painted(SIDE_PX);
     let (canonical, camera) = taken(&head, 20.0);
-    let (width, height, colours) = (SIZE_PX, SIZE_PX, [[0; 3]; LANDMARK_COUNT]);
-    let (landmarks, picture) = (head.landmarks(&camera), canonical.picture().clone());
-    let lens = PhotoLens::Distance(DISTANCE_M);
-    let input = FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens };
-    let tessellated = FaceModel::new(input, Triangulation::Tessellation).unwrap();
+    let observation = observed(head.photo(&camera), &head.landmarks(&camera), PhotoLens::Distance(DISTANCE_M));
+    let tessellated = FaceModel::new(observation, Triangulation::Tessellation).unwrap();
     assert_eq!(whole_texture(&canonical, 256), whole_texture(&tessellated, 256));
 }
 
 #[test]
-fn shots_without_468_positions_are_refused() {
-    let head = Head::painted(256);
-    let (front, camera) = taken(&head, 0.0);
-    let uvs = vec![glam::DVec2::ZERO; 467];
-    let refused = whole_texture_of(&front, &[Shot { picture: front.picture(), uvs: &uvs, camera: &camera }], 256);
-    assert_eq!(refused.unwrap_err().to_string(), "467 positions in a photo for 468 vertices");
+fn a_face_without_its_picture_is_refused() {
+    let observation = crate::faces::observed(portrait_landmarks(), 512, PhotoLens::Estimated);
+    let face = FaceModel::new(observation, Triangulation::Canonical).unwrap();
+    assert_eq!(whole_texture(&face, 256), Err(StudioError::NoPicture));
 }
 
 /// Two texels per photo pixel, so that a photo of twice the width needs a texture of twice the side.
@@ -88,10 +91,7 @@ fn the_texture_side_fits_the_photo_and_the_limit() {
     let camera = head.camera(0.0);
     let face_in = |size_px: u32| {
         let picture = Photo::from_rgb(size_px, size_px, vec![128; 3 * (size_px * size_px) as usize]).unwrap();
-        let (landmarks, colours) = (head.landmarks(&camera), [[0; 3]; LANDMARK_COUNT]);
-        let (width, height, lens) = (SIZE_PX, SIZE_PX, PhotoLens::Distance(DISTANCE_M));
-        let input = FaceInput { landmarks: &landmarks, width, height, colours: &colours, picture, lens };
-        FaceModel::new(input, Triangulation::Canonical).unwrap()
+        face(picture, &head.landmarks(&camera), PhotoLens::Distance(DISTANCE_M))
     };
     let sides = [16, 1024, 2048].map(|size_px| texture_side_px(&face_in(size_px), 4096));
     assert_eq!(sides, [1024, 2048, 4096]);

@@ -1,8 +1,7 @@
 use glam::DVec3;
-use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use rosto_export::{BaseColour, GlbOptions, Material, Model, Morph, Source, glb};
 use rosto_face::{
-    FaceInput, FaceModel, LANDMARK_COUNT, Photo, PhotoLens, Triangulation, canonical_positions_m, canonical_uvs,
+    FaceModel, LANDMARK_COUNT, Observation, Photo, PhotoLens, Triangulation, canonical_positions_m, canonical_uvs,
 };
 use rosto_studio::{
     AnchorKind, Anchors, Command, ConstraintKind, CoordinateFrame, Details, EditSpec, Entry, Mirror, Operator,
@@ -12,7 +11,7 @@ use rosto_studio::{
 const SIDE_PX: u32 = 40;
 
 /// Photo edits of a project.
-const IN_PHOTO: &str = r#"{"seen_from_m":1.5,"kept_px":[[[10.0,12.5,3.0],[11.0,12.5,3.0]],[[20.0,20.0,4.0]]]}"#;
+const PHOTO_EDIT: &str = r#"{"seen_from_m":1.5,"protected_px":[[[10.0,12.5,3.0],[11.0,12.5,3.0]],[[20.0,20.0,4.0]]]}"#;
 
 /// Canonical face, on which histories are replayed.
 pub fn canonical_rest() -> Rest {
@@ -88,16 +87,13 @@ pub fn glbs() -> Vec<Vec<u8>> {
 /// Projects with each history.
 pub fn projects() -> Vec<Vec<u8>> {
     let face = face(Triangulation::Tessellation);
-    let mut png = Vec::new();
-    let pixels = face.picture().pixels();
-    let written = PngEncoder::new(&mut png).write_image(pixels, SIDE_PX, SIDE_PX, ExtendedColorType::Rgb8);
-    written.expect("invariant: the picture can be written");
-    let projects = histories().into_iter().map(|history| rosto_export::project::write(&source(&face, &history), &png));
+    let projects = histories().into_iter().map(|history| rosto_export::project::write(&source(&face, &history)));
     projects.collect::<Result<_, _>>().expect("invariant: the canonical face can be written")
 }
 
 fn source<'a>(face: &'a FaceModel, history: &'a str) -> Source<'a> {
-    Source { face, triangulation: face.triangulation(), density: 0, history: Some(history), in_photo: Some(IN_PHOTO) }
+    let (triangulation, history, photo_edit) = (face.triangulation(), Some(history), Some(PHOTO_EDIT));
+    Source { face, triangulation, density: 0, history, photo_edit }
 }
 
 /// The canonical face laid flat over a small picture.
@@ -110,14 +106,6 @@ fn face(triangulation: Triangulation) -> FaceModel {
     let places = uvs.iter().zip(&depths_m);
     let landmarks: Vec<[f32; 3]> =
         places.map(|(uv, at)| [uv.x as f32 * 0.5 + 0.2, uv.y as f32 * 0.5 + 0.2, -at.z as f32 * 3.0]).collect();
-    let colours: Vec<[u8; 3]> = landmarks.iter().map(|&[x, y, _]| picture.colour_under(x.into(), y.into())).collect();
-    let input = FaceInput {
-        landmarks: &landmarks,
-        width: SIDE_PX,
-        height: SIDE_PX,
-        colours: &colours,
-        picture,
-        lens: PhotoLens::Estimated,
-    };
-    FaceModel::new(input, triangulation).expect("invariant: the canonical face fits itself")
+    let observation = Observation::in_photo(&picture, landmarks).with_lens(PhotoLens::Distance(0.5));
+    FaceModel::new(observation, triangulation).expect("invariant: the canonical face fits itself")
 }

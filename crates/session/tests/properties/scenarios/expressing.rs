@@ -1,12 +1,12 @@
 use glam::DVec3;
-use rosto_export::{BaseColour, Eyes, Format, reopen};
+use rosto::{BaseColour, ExpressionsAs, Eyes, FaceMesh, FileOptions, Format, reopen};
 use rosto_face::Triangulation;
-use rosto_session::{ExpressionsAs, FileOptions, Intent, Selection, Session};
+use rosto_session::{Intent, Selection, Session};
 use rosto_studio::{Expression, Mirror, Switch, project};
 use serde_json::Value;
 
 use super::{act, face, positions, state};
-use crate::faces::{bits, session};
+use crate::faces::{bits, saved, session};
 
 /// Drags an expression's slider to a weight.
 fn express(session: &mut Session, expression: Expression, to: f64) {
@@ -17,7 +17,7 @@ fn express(session: &mut Session, expression: Expression, to: f64) {
 }
 
 fn value_of(session: &Session, expression: Expression) -> f64 {
-    session.tick().weights[expression as usize]
+    state(session).weights[expression.id()]
 }
 
 fn is_near(session: &Session, expression: Expression, weight: f64) -> bool {
@@ -64,7 +64,7 @@ fn resetting_expressions_is_one_change() {
     let shown = bits(&positions(&session));
     act(&mut session, Intent::ResetExpressions);
     assert_eq!(bits(&positions(&session)), rest);
-    assert_eq!(session.tick().weights, [0.0; Expression::ALL.len()]);
+    assert!(state(&session).weights.values().all(|weight| *weight == 0.0));
     act(&mut session, Intent::Undo);
     assert_eq!(bits(&positions(&session)), shown);
 }
@@ -144,7 +144,8 @@ fn a_glb_with_expressions_adds_up_to_the_displayed_shape_and_reopens() {
     express(&mut session, Expression::EyeBlinkLeft, 1.0);
     for density in [0, 2] {
         act(&mut session, Intent::Density(density));
-        let file = session.file(Format::Glb, &rigged()).unwrap().bytes;
+        let mut written = FaceMesh::reopen(saved(&session)).unwrap();
+        let file = written.write(Format::Glb, &rigged(), "face").unwrap().bytes;
         assert!(file.len() < [1_000_000, 3_000_000][usize::from(density > 0)], "{} bytes at {density}", file.len());
         let glb = Glb::read(&file);
         let mesh = &glb.json["meshes"][0];
@@ -161,18 +162,18 @@ fn a_glb_with_expressions_adds_up_to_the_displayed_shape_and_reopens() {
         }
         let shown = positions(&session);
         assert!(reached.len() > shown.len(), "eyes and mouth are separate pieces");
-        let [points, triangles] = session.mesh_counts(Format::Glb, &rigged()).unwrap();
+        let [points, triangles] = face(&session).mesh_counts(Eyes::Pieces);
         let indices = &glb.json["accessors"][mesh["primitives"][0]["indices"].as_u64().unwrap() as usize];
         assert_eq!((points, Some(3 * triangles as u64)), (reached.len(), indices["count"].as_u64()));
-        assert_eq!(session.mesh_counts(Format::Obj, &rigged()).unwrap()[0], shown.len());
+        assert_eq!(face(&session).mesh_counts(Eyes::Skin)[0], shown.len());
         let still = FileOptions { eyes: Eyes::Pieces, ..FileOptions::default() };
-        assert_eq!(session.mesh_counts(Format::Obj, &still).unwrap()[0], reached.len());
-        let ply = session.file(Format::Ply, &still).unwrap().bytes;
+        let ply = written.write(Format::Ply, &still, "face").unwrap().bytes;
         let header = format!("element vertex {}\n", reached.len());
         assert!(String::from_utf8_lossy(&ply).contains(&header), "a rig without expressions has the same pieces");
         let apart = shown.iter().zip(&reached).map(|(shown, reached)| shown.distance(*reached)).fold(0.0, f64::max);
         assert!(apart < 1e-7, "{apart} m");
         let reopened = reopen(&file).unwrap();
-        assert_eq!(reopened.history.as_deref().map(|text| project::from_json(text).unwrap().len()), Some(3));
+        let history = reopened.face.edits.unwrap().history.unwrap();
+        assert_eq!(project::from_json(&history).unwrap().len(), 3);
     }
 }

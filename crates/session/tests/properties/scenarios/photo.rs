@@ -1,11 +1,12 @@
 use glam::{DVec2, DVec3};
-use rosto_face::{PhotoLens, crowded_landmarks};
-use rosto_session::{BRUSH_PX, Changed, Incoming, Intent, Pace, Selection, Session, Work};
+use rosto::{SavedEdits, SavedFace};
+use rosto_face::{Observation, PhotoLens, crowded_landmarks};
+use rosto_session::{BRUSH_PX, Changed, Intent, Pace, Selection, Session};
 use rosto_stage::{NamedView, Pointer, Scene};
 use rosto_studio::FaceSlider;
 
 use super::{act, face, move_by, position_px, positions, select, state};
-use crate::faces::{detected, open, session};
+use crate::faces::{detected, found, open, saved, session};
 use crate::invariants::{check, seen, shape};
 
 const NOSE_TIP: u32 = 4;
@@ -16,7 +17,8 @@ const VISIBLE: [u32; 6] = [4, 105, 334, 61, 291, 199];
 /// The photo on the stage, taken from a distance of 0.5 m.
 fn photo() -> Session {
     let mut session = session();
-    open(&mut session, Incoming { lens: PhotoLens::Distance(0.5), photo_size_px: [640, 640], ..detected() });
+    let lens = PhotoLens::Distance(0.5);
+    open(&mut session, found(Observation { lens, photo_size_px: [640, 640], ..detected() }));
     act(&mut session, Intent::Scene(Scene::Picture));
     session.stage_mut().advance(0.0);
     session
@@ -133,7 +135,7 @@ fn the_scene_changes_only_the_view_and_persists() {
         assert_eq!(shape(&session), before);
         check(&session).unwrap();
     }
-    open(&mut session, detected());
+    open(&mut session, found(detected()));
     assert_eq!(session.stage().scene(), Scene::Picture, "the scene persists");
     let preferences = session.preferences();
     let mut next = crate::faces::session();
@@ -185,7 +187,7 @@ fn strokes_protect_the_photo_and_have_separate_undo() {
 #[test]
 fn the_brush_shows_the_photo_and_ends_with_it() {
     let mut session = session();
-    act(&mut session, Intent::Brush(Some(BRUSH_PX[1])));
+    act(&mut session, Intent::Brush(Some(BRUSH_PX.max)));
     assert_eq!(session.view().scene, Scene::Picture);
     session.stage_mut().advance(0.0);
     let place = position_px(&session, NOSE_TIP);
@@ -235,23 +237,20 @@ fn photo_edits_are_restored_with_the_work() {
     session.stage_mut().advance(0.0);
     let place = position_px(&session, NOSE_TIP);
     paint(&mut session, place);
-    let (kept, text) = (face(&session).photo().strokes().clone(), face(&session).photo_json());
-    let work = |photo: &str| Work {
-        triangulation: face(&session).triangulation(),
-        density: 0,
-        history: face(&session).history_json(),
-        photo: Some(photo.to_owned()),
-    };
-    let incoming = |photo: &str| Incoming { work: Some(work(photo)), ..detected() };
+    let kept = face(&session).photo().strokes().clone();
+    let saved = saved(&session);
     let mut next = crate::faces::session();
-    open(&mut next, incoming(&text));
+    open(&mut next, saved.clone());
     assert_eq!(face(&next).photo().strokes(), &kept);
     assert_eq!(face(&next).photo().seen_from_m(), Some(1.5));
-    let bad =
-        ["", "{}", r#"{"seen_from_m":-1,"kept_px":[]}"#, r#"{"kept_px":[[[1,2]]]}"#, r#"{"kept_px":[[[1,2,0]]]}"#];
-    for wrong in bad {
+    let with = |photo_edit: &str| {
+        let edits = saved.edits.clone().map(|edits| SavedEdits { photo_edit: Some(photo_edit.to_owned()), ..edits });
+        Intent::Open(Box::new(SavedFace { edits, ..saved.clone() }))
+    };
+    let far = r#"{"seen_from_m":-1,"protected_px":[]}"#;
+    for wrong in ["", "{}", far, r#"{"protected_px":[[[1,2]]]}"#, r#"{"protected_px":[[[1,2,0]]]}"#] {
         let as_it_was = seen(&next);
-        assert!(next.apply(Intent::Open(Box::new(incoming(wrong)))).is_err(), "{wrong}");
+        assert!(next.apply(with(wrong)).is_err(), "{wrong}");
         assert_eq!(seen(&next), as_it_was);
     }
 }
@@ -263,13 +262,13 @@ fn edits_along_the_view_direction_are_reported() {
     for (offset_mm, is_along) in
         [(DVec3::new(0.0, 0.0, 8.0), true), (DVec3::new(0.0, 5.0, 0.0), false), (DVec3::ZERO, false)]
     {
-        act(&mut session, Intent::Preview(offset_mm));
+        act(&mut session, Intent::Offset(offset_mm));
         assert_eq!(session.tick().is_along_view, is_along, "{offset_mm}");
     }
-    act(&mut session, Intent::Preview(DVec3::new(0.0, 0.0, 8.0)));
+    act(&mut session, Intent::Offset(DVec3::new(0.0, 0.0, 8.0)));
     act(&mut session, Intent::Commit);
-    assert!(state(&session).is_along_view);
+    assert!(session.tick().is_along_view);
     act(&mut session, Intent::ShowDepth);
     session.stage_mut().advance(0.0);
-    assert!(!state(&session).is_along_view, "it is visible from the side");
+    assert!(!session.tick().is_along_view, "it is visible from the side");
 }

@@ -1,15 +1,17 @@
 //! Further photos of an open face.
 
 use glam::{DQuat, DVec3};
-use rosto_face::{FaceError, MAX_PHOTOS, PhotoLens, Turn};
-use rosto_session::{Changed, FurtherPhoto, Incoming, Intent, Selection, SessionError};
+use rosto::SavedFace;
+use rosto_export::TextureSize;
+use rosto_face::{FaceError, MAX_PHOTOS, Observation, PhotoLens, Turn};
+use rosto_session::{Changed, Intent, Selection, SessionError};
 use rosto_studio::Switch;
 
 use super::{act, face, positions, select};
-use crate::faces::{detected, open, session};
+use crate::faces::{detected, found, open, saved, session};
 
 /// The head turned to its left by an angle, as seen by a distant camera.
-fn turned(by_deg: f64) -> FurtherPhoto {
+fn turned(by_deg: f64) -> Observation {
     let turn = DQuat::from_rotation_y(by_deg.to_radians());
     let usual = detected();
     let landmarks = usual.landmarks.iter().map(|place| {
@@ -17,13 +19,7 @@ fn turned(by_deg: f64) -> FurtherPhoto {
         let place = turn * DVec3::new(x - 0.5, 0.5 - y, -z);
         [0.5 + place.x, 0.5 - place.y, -place.z].map(|coordinate| coordinate as f32)
     });
-    FurtherPhoto {
-        landmarks: landmarks.collect(),
-        photo_size_px: usual.photo_size_px,
-        colours_srgb: usual.colours_srgb,
-        picture: usual.picture,
-        lens: PhotoLens::Parallel,
-    }
+    Observation { landmarks: landmarks.collect(), ..usual }
 }
 
 fn add(by_deg: f64) -> Intent {
@@ -31,8 +27,8 @@ fn add(by_deg: f64) -> Intent {
 }
 
 /// A face opened with further photos.
-fn with_further(further: Vec<FurtherPhoto>) -> Incoming {
-    Incoming { further, ..detected() }
+fn with_further(further: Vec<Observation>) -> SavedFace {
+    SavedFace { photos: [vec![detected()], further].concat(), edits: None }
 }
 
 #[test]
@@ -40,7 +36,7 @@ fn adding_and_removing_photos_retains_edits() {
     let mut session = session();
     let alone = positions(&session);
     select(&mut session, Selection::Landmark(4));
-    act(&mut session, Intent::Preview(DVec3::new(0.0, 0.0, 5.0)));
+    act(&mut session, Intent::Offset(DVec3::new(0.0, 0.0, 5.0)));
     act(&mut session, Intent::Commit);
     let edited = positions(&session);
     assert_eq!(face(&session).missing_turns(), [Turn::Left, Turn::Right]);
@@ -71,9 +67,9 @@ fn adding_and_removing_photos_retains_edits() {
     act(&mut opened, Intent::Close);
 }
 
-fn session_of(incoming: Incoming) -> rosto_session::Session {
+fn session_of(face: SavedFace) -> rosto_session::Session {
     let mut session = session();
-    open(&mut session, incoming);
+    open(&mut session, face);
     session
 }
 
@@ -87,7 +83,7 @@ fn a_photo_of_an_existing_turn_adds_nothing() {
 
 #[test]
 fn the_frontal_photo_leads() {
-    let mut session = session_of(Incoming { landmarks: turned(30.0).landmarks, ..detected() });
+    let mut session = session_of(found(turned(30.0)));
     act(&mut session, Intent::SeenFrom(Some(1.0)));
     act(&mut session, add(0.0));
     assert_eq!(face(&session).photos().iter().map(|of| of.leads).collect::<Vec<_>>(), [false, true]);
@@ -111,7 +107,7 @@ fn invalid_photo_changes_are_refused() {
         assert_eq!(face(&session).photos().len(), 2);
         refusal
     };
-    let nowhere = FurtherPhoto { landmarks: vec![[0.5; 3]; 468], ..turned(0.0) };
+    let nowhere = Observation { landmarks: vec![[0.5; 3]; 468], ..turned(0.0) };
     let reason = FaceError::InPhoto { photo: 2, reason: Box::new(FaceError::Degenerate) };
     assert_eq!(refused(Intent::AddPhoto(Box::new(nowhere))), reason.into());
     let missing = SessionError::NoSuchPhoto { photo: 2, count: 2 };
@@ -119,7 +115,45 @@ fn invalid_photo_changes_are_refused() {
     let mut full = session_of(with_further(vec![turned(30.0); MAX_PHOTOS - 1]));
     let most = FaceError::PhotoCount { found: MAX_PHOTOS + 1, most: MAX_PHOTOS };
     assert_eq!(full.apply(add(-30.0)), Err(most.into()));
-    let mut alone = session_of(detected());
+    let mut alone = session_of(found(detected()));
     let last = FaceError::PhotoCount { found: 0, most: MAX_PHOTOS };
     assert_eq!(alone.apply(Intent::RemovePhoto(0)), Err(last.into()));
+}
+
+#[test]
+fn the_found_lens_survives_another_choice_and_saving() {
+    let mut session = session_of(found(Observation { found_lens: PhotoLens::Exif(26.0), ..detected() }));
+    act(&mut session, Intent::PhotoLens(PhotoLens::Distance(0.4)));
+    let again = session_of(saved(&session));
+    let lenses = (face(&again).found_lens(), face(&again).model().lens());
+    assert_eq!(lenses, (PhotoLens::Exif(26.0), PhotoLens::Distance(0.4)));
+    assert_eq!(positions(&again), positions(&session), "to the last bit");
+}
+
+#[test]
+fn a_texture_is_wanted_for_each_change_of_photos_lens_and_size() {
+    let mut session = session();
+    let mut wanted = vec![session.texture_wanted().unwrap()];
+    let another_size = TextureSize::ALL.into_iter().find(|size| *size != TextureSize::default()).unwrap();
+    let changes = [
+        add(30.0),
+        Intent::RemovePhoto(1),
+        Intent::PhotoLens(PhotoLens::Distance(0.4)),
+        Intent::TextureSize(another_size),
+        Intent::Open(Box::new(found(detected()))),
+    ];
+    for change in changes {
+        let is_size = matches!(change, Intent::TextureSize(_));
+        let earlier = wanted[wanted.len() - 1];
+        assert_eq!(session.take_texture(earlier), Changed::Mesh);
+        assert_eq!((session.texture_wanted(), session.shows_texture()), (None, true));
+        act(&mut session, change);
+        assert_eq!(session.shows_texture(), is_size, "another size is shown until the new texture arrives");
+        let next = session.texture_wanted().unwrap();
+        assert!(!wanted.contains(&next));
+        assert_eq!(session.take_texture(earlier), Changed::Nothing);
+        wanted.push(next);
+    }
+    act(&mut session, Intent::Close);
+    assert_eq!((session.texture_wanted(), session.shows_texture()), (None, false));
 }

@@ -5,7 +5,7 @@ use rosto_stage::{Pointer, ShadingMode, Visibility};
 use rosto_studio::{FaceSlider, Switch};
 
 use super::{act, displacement_mm, face, position_px, positions, select, state};
-use crate::faces::{SIZE_PX, detected, session};
+use crate::faces::{SIZE_PX, detected, found, session};
 use crate::invariants::{check, shape};
 use rosto_session::Motion;
 
@@ -182,7 +182,7 @@ fn an_edit_that_moves_nothing_adds_no_entry() {
     let mut session = session();
     select(&mut session, Selection::Landmark(MOUTH_CORNER));
     for offset_mm in [DVec3::ZERO, DVec3::splat(1e-8)] {
-        act(&mut session, Intent::Preview(offset_mm));
+        act(&mut session, Intent::Offset(offset_mm));
         act(&mut session, Intent::Commit);
         assert_eq!(state(&session).entry_count, 0);
     }
@@ -202,14 +202,16 @@ fn a_drag_stops_at_the_sliders_range_and_reports_it() {
     assert!(!session.tick().is_at_end);
     drag(&mut session, from + DVec2::new(0.0, 4_000.0));
     assert!(session.tick().is_at_end);
-    assert!((session.tick().offset_mm.y - SLIDER_MM.min).abs() < 1e-9, "{}", session.tick().offset_mm);
+    let [_, y_mm, _] = session.tick().offset_mm.unwrap();
+    assert!((y_mm - SLIDER_MM.min).abs() < 1e-9, "{y_mm}");
     act(&mut session, Intent::Release);
     assert!(!session.tick().is_at_end);
     let from = position_px(&session, MOUTH_CORNER);
     act(&mut session, Intent::Press(from, Pointer::Fine));
     drag(&mut session, from + DVec2::new(0.0, 50.0));
+    let [_, y_mm, _] = session.tick().offset_mm.unwrap();
     assert!(
-        session.tick().is_at_end && session.tick().offset_mm.y.abs() < 1e-9,
+        session.tick().is_at_end && (y_mm - SLIDER_MM.min).abs() < 1e-9,
         "the range applies to the sum of both edits"
     );
     act(&mut session, Intent::Release);
@@ -228,7 +230,7 @@ fn moving_the_nose_leaves_eyelids_and_mouth_in_place() {
             let mut session = session();
             select(&mut session, selection);
             let before = positions(&session);
-            act(&mut session, Intent::Preview(offset_mm));
+            act(&mut session, Intent::Offset(offset_mm));
             assert!(displacement_mm(&session, &before, NOSE_TIP).length() > 11.9);
             for &vertex in &far {
                 let displacement_mm = displacement_mm(&session, &before, vertex);
@@ -248,7 +250,7 @@ fn a_point_of_the_outline_moves_its_neighbours_and_not_the_rest() {
     let mut session = session();
     select(&mut session, Selection::Landmark(CHIN_TIP));
     let before = positions(&session);
-    act(&mut session, Intent::Preview(DVec3::NEG_Y * 8.0));
+    act(&mut session, Intent::Offset(DVec3::NEG_Y * 8.0));
     let displacement_mm = |vertex: u32| displacement_mm(&session, &before, vertex).length();
     assert!((displacement_mm(CHIN_TIP) - 8.0).abs() < 1e-9);
     for vertex in beside {
@@ -269,7 +271,7 @@ fn a_face_that_has_grown_is_framed_again_after_the_release() {
     let radius_m = |session: &Session| session.stage().camera().radius_m();
     let usual_m = radius_m(&session);
     select(&mut session, Selection::Landmark(152));
-    act(&mut session, Intent::Preview(DVec3::NEG_Y * 40.0));
+    act(&mut session, Intent::Offset(DVec3::NEG_Y * 40.0));
     assert_eq!(radius_m(&session), usual_m, "the view does not move during a drag");
     act(&mut session, Intent::Commit);
     assert!(radius_m(&session) > 1.1 * usual_m, "{} and {usual_m}", radius_m(&session));
@@ -297,7 +299,7 @@ fn pictures_and_comparisons_have_no_marks() {
         assert!(marks(&session) > 0);
     }
     act(&mut session, Intent::Wipe(Some(0.4)));
-    act(&mut session, Intent::Open(Box::new(detected())));
+    act(&mut session, Intent::Open(Box::new(found(detected()))));
     let settings = session.stage().render_settings();
     assert_eq!((settings.before, settings.wipe, face(&session).selection()), (0.0, None, None));
 }
@@ -311,7 +313,7 @@ fn the_rim_and_the_mirror_plane_are_drawn_during_an_edit() {
     };
     select(&mut session, Selection::Landmark(NOSE_TIP));
     assert_eq!(drawn(&session), (false, false));
-    act(&mut session, Intent::Preview(DVec3::Z));
+    act(&mut session, Intent::Offset(DVec3::Z));
     assert_eq!(drawn(&session), (true, true));
     let distances = face(&session).document().influence_distances().unwrap();
     let displacement_mm: Vec<f64> =
@@ -323,7 +325,7 @@ fn the_rim_and_the_mirror_plane_are_drawn_during_an_edit() {
                 .zip(&displacement_mm)
                 .all(|(distance, displacement)| *distance < 1.0 || *displacement < 1e-6)
     );
-    act(&mut session, Intent::Preview(DVec3::X));
+    act(&mut session, Intent::Offset(DVec3::X));
     assert_eq!(drawn(&session), (true, false), "sideways the mirror is off");
     act(&mut session, Intent::Nearby(Switch::Off));
     assert_eq!(drawn(&session), (false, false));
@@ -338,13 +340,13 @@ fn the_rim_and_the_mirror_plane_are_drawn_during_an_edit() {
 fn changes_are_reported_at_their_extent() {
     let mut session = Session::new(1);
     act(&mut session, Intent::Motion(Motion::Reduced));
-    for nothing in [Intent::Preview(DVec3::Z), Intent::Commit, Intent::Undo, Intent::Release] {
+    for nothing in [Intent::Offset(DVec3::Z), Intent::Commit, Intent::Undo, Intent::Release] {
         assert_eq!(act(&mut session, nothing), Changed::Nothing);
     }
     for (intent, changed) in [
-        (Intent::Open(Box::new(detected())), Changed::Mesh),
+        (Intent::Open(Box::new(found(detected()))), Changed::Mesh),
         (Intent::Select(Some(Selection::Landmark(MOUTH_CORNER))), Changed::Document),
-        (Intent::Preview(DVec3::Z), Changed::Tick),
+        (Intent::Offset(DVec3::Z), Changed::Tick),
         (Intent::Commit, Changed::Document),
         (Intent::Slide(FaceSlider::NoseWidth, 1.0), Changed::Document),
         (Intent::Slide(FaceSlider::NoseWidth, 2.0), Changed::Tick),

@@ -1,9 +1,7 @@
 use glam::DVec3;
-use rosto_export::{BaseColour, Format, Solid};
-use rosto_face::Triangulation;
-use rosto_session::{
-    EditsAs, FileOptions, Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable,
-};
+use rosto::{BaseColour, EditsAs, FaceMesh, FileOptions, Format, Solid};
+use rosto_face::{Photo, Triangulation};
+use rosto_session::{Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable};
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Visibility};
 use rosto_studio::{
     Anchors, Command, Details, EditSpec, Entry, EntryStatus, FaceSlider, Mirror, SMOOTH_DENSITY, Settings, Switch,
@@ -12,11 +10,18 @@ use rosto_studio::{
 use serde_json::Value;
 
 use super::{act, face, move_by, position_px, positions, select, state};
-use crate::faces::{detected, open, session, with_history};
+use crate::faces::{detected, found, open, saved, session, with_history};
 use crate::invariants::{check, check_thoroughly, seen};
 
 fn file_options() -> FileOptions {
     FileOptions { base_colour: BaseColour::Photo, edits: EditsAs::MorphTargets, ..FileOptions::default() }
+}
+
+/// The face as the worker writes it.
+fn mesh(session: &Session) -> FaceMesh {
+    let mut saved = saved(session);
+    saved.photos[0].picture = Photo::from_rgb(1, 1, vec![180, 120, 90]).ok();
+    FaceMesh::reopen(saved).unwrap()
 }
 
 /// Sets each setting to another value than the default.
@@ -53,7 +58,7 @@ fn settings_and_view_are_restored_in_another_session() {
     act(&mut other, Intent::RestorePreferences(one.preferences()));
     assert_eq!(other.state(), one.state());
     assert_eq!(other.preferences(), one.preferences());
-    open(&mut other, detected());
+    open(&mut other, found(detected()));
     let shown = (face(&other).triangulation(), face(&other).document().density());
     assert_eq!(shown, (Triangulation::Tessellation, 1), "preferences apply to the next face");
     let mut usual = Session::new(3);
@@ -68,17 +73,14 @@ fn an_open_face_keeps_its_mesh_under_restored_preferences() {
     change_settings(&mut one);
     let mut other = session();
     select(&mut other, Selection::Landmark(4));
-    act(&mut other, Intent::Preview(DVec3::Z));
+    act(&mut other, Intent::Offset(DVec3::Z));
     act(&mut other, Intent::RestorePreferences(one.preferences()));
     let (wanted, now) = (one.state(), other.state());
-    assert_eq!(
-        (now.mode, now.edit_options, now.light, now.dots),
-        (wanted.mode, wanted.edit_options, wanted.light, wanted.dots)
-    );
-    assert_eq!(now.view.shading, ShadingMode::Clay);
-    assert_eq!((now.view.triangulation, now.view.density), (Triangulation::Canonical, SMOOTH_DENSITY));
-    let now = now.face.unwrap();
-    assert!(matches!(now.selection, Some(Selection::Region(_))), "the selection follows the mode");
+    assert_eq!((other.mode(), other.edit_options()), (one.mode(), one.edit_options()));
+    assert_eq!((now.light, now.dots), (wanted.light, wanted.dots));
+    assert_eq!(other.stage().render_settings().shading, ShadingMode::Clay);
+    assert_eq!((face(&other).triangulation(), other.density()), (Triangulation::Canonical, SMOOTH_DENSITY));
+    assert!(matches!(face(&other).selection(), Some(Selection::Region(_))), "the selection follows the mode");
     assert_eq!((now.vertex_count, now.entry_count), (7_257, 1), "the edit in progress is committed");
     check_thoroughly(&other).unwrap();
 }
@@ -87,7 +89,7 @@ fn an_open_face_keeps_its_mesh_under_restored_preferences() {
 fn damaged_preferences_are_refused() {
     let mut session = session();
     select(&mut session, Selection::Landmark(4));
-    act(&mut session, Intent::Preview(DVec3::Z));
+    act(&mut session, Intent::Offset(DVec3::Z));
     let (before, usual) = (seen(&session), session.preferences());
     let mut otherwise = Session::new(1);
     change_settings(&mut otherwise);
@@ -125,7 +127,7 @@ fn dense_history() -> String {
 fn edits_of_a_denser_mesh_open_as_waiting_entries() {
     let mut session = session();
     open(&mut session, with_history(&dense_history(), Triangulation::Canonical, 4));
-    assert_eq!((session.view().density, face(&session).document().density()), (3, 3));
+    assert_eq!((session.density(), face(&session).document().density()), (3, 3));
     assert_eq!(face(&session).rows()[0].status, EntryStatus::Waits { level: 4 });
     assert_eq!(positions(&session), face(&session).document().rest());
     assert_eq!(face(&session).rows()[0].target.to_string(), "point-20000@4");
@@ -161,15 +163,17 @@ fn exercise(session: &mut Session) {
     act(session, Intent::Hover(Some(nose)));
     assert_eq!(session.hovered().vertex, Some(4));
     act(session, Intent::Density(1));
+    let mut mesh = mesh(session);
+    assert_eq!(mesh.positions(), positions(session), "to the last bit");
     for format in Format::ALL {
-        let written = session.file(format, &file_options()).unwrap();
-        let bundled = session.bundled_file(format, &file_options()).unwrap();
+        let written = mesh.write(format, &file_options(), "face").unwrap();
+        let bundled = written.clone().bundled("face", format);
         // The PNG is only as large as the part of the photo that shows the face.
         let min_bytes = if format == Format::Png { 100 } else { 20_000 };
         assert!(bundled.len() > min_bytes, "{format:?}");
         assert_eq!(written.sidecars.is_empty(), format.bundle_extension(BaseColour::Photo) == format.id());
         assert_eq!(written.sidecars.is_empty(), bundled == written.bytes);
-        let facts = session.solid_facts(Solid::default()).unwrap();
+        let facts = mesh.solid_facts(Solid::default()).unwrap();
         assert!(written.solid.is_none() || written.solid == facts);
     }
     for density in [0, 1, 3] {

@@ -30,7 +30,7 @@ fn a_region_moves_on_both_sides() {
     }
     let entries = face(&session).document().history().entries();
     assert_eq!((selection(&session), entries.len(), entries[0].label.as_str()), (Some(brow), 1, "left-brow"));
-    assert!(state(&session).committed_mm.distance(offset_mm) < 1e-9);
+    assert!(face(&session).committed_mm().distance(offset_mm) < 1e-9);
 }
 
 #[test]
@@ -91,12 +91,12 @@ fn symmetric_selections_leave_the_mirror_only_sideways() {
             select(&mut session, selection);
             assert_eq!(state(&session).lies_in_plane, in_plane, "{selection:?}");
             let before = positions(&session);
-            act(&mut session, Intent::Preview(DVec3::new(0.0, 2.0, 1.0)));
+            act(&mut session, Intent::Offset(DVec3::new(0.0, 2.0, 1.0)));
             let sideways = |vertex: u32| {
                 displacement_mm(&session, &before, vertex).x + displacement_mm(&session, &before, mirror_of(vertex)).x
             };
             assert!((0..468).all(|vertex| sideways(vertex).abs() < 1e-9), "{selection:?} moves both sides alike");
-            act(&mut session, Intent::Preview(DVec3::X));
+            act(&mut session, Intent::Offset(DVec3::X));
             let displacement_mm = displacement_mm(&session, &before, selection.centre());
             assert!(displacement_mm.distance(DVec3::X) < 1e-9, "{selection:?} moves by {displacement_mm} mm");
             assert_eq!(state(&session).leaves_plane, in_plane);
@@ -117,7 +117,7 @@ fn symmetric_selections_reach_their_reported_share() {
     for selection in landmarks.chain([Region::Nose, Region::Lips, Region::Chin].map(Selection::Region)) {
         select(&mut session, selection);
         let before = positions(&session);
-        act(&mut session, Intent::Preview(DVec3::Y));
+        act(&mut session, Intent::Offset(DVec3::Y));
         let (reach, moved) = (session.tick().share_reached, displacement_mm(&session, &before, selection.centre()).y);
         assert!((reach - moved).abs() < 1e-9, "{selection:?}: a share of {reach}, but it moves by {moved}");
         // Other handles of a region can move a vertex slightly beyond its offset.
@@ -132,17 +132,17 @@ fn a_selection_without_anchors_cannot_move_until_a_pin_is_set() {
     let mut session = session();
     act(&mut session, Intent::Anchors(AnchorChoice::PinsOnly));
     select(&mut session, Selection::Landmark(NOSE_TIP));
-    let refusal = state(&session).refusal;
+    let refusal = face(&session).refusal().cloned();
     assert!(matches!(refusal, Some(StudioError::Laplacian(LaplacianError::Unanchored { .. }))), "{refusal:?}");
     let before = positions(&session);
-    act(&mut session, Intent::Preview(DVec3::Z * 5.0));
+    act(&mut session, Intent::Offset(DVec3::Z * 5.0));
     assert_eq!((positions(&session), session.tick().is_editing), (before.clone(), false));
     act(&mut session, Intent::Commit);
     assert_eq!(state(&session).entry_count, 0);
     let chin = position_px(&session, CHIN);
     act(&mut session, Intent::PinUnder(chin));
-    assert_eq!((state(&session).refusal, state(&session).anchors), (None, vec![CHIN]));
-    act(&mut session, Intent::Preview(DVec3::Z * 5.0));
+    assert_eq!((face(&session).refusal().cloned(), state(&session).anchors), (None, vec![CHIN]));
+    act(&mut session, Intent::Offset(DVec3::Z * 5.0));
     assert!((displacement_mm(&session, &before, NOSE_TIP).z - 5.0).abs() < 1e-9);
     assert!(displacement_mm(&session, &before, CHIN).length() < 1e-9);
 }
@@ -158,7 +158,7 @@ fn hovering_works_at_another_density_without_anchors() {
         for density in [2, 0, 1, 3, 0] {
             act(&mut session, Intent::Hover(Some(middle)));
             act(&mut session, Intent::Density(density));
-            assert!(state(&session).refusal.is_some(), "no anchor is set");
+            assert!(face(&session).refusal().cloned().is_some(), "no anchor is set");
             act(&mut session, Intent::Hover(Some(middle)));
             let under = session.hovered().vertex.unwrap();
             assert!((under as usize) < session.state().selectable, "{under} at {density}");
@@ -169,7 +169,7 @@ fn hovering_works_at_another_density_without_anchors() {
     act(&mut session, Intent::Pin(Switch::On));
     select(&mut session, Selection::Landmark(NOSE_TIP));
     act(&mut session, Intent::Density(1));
-    assert_eq!(state(&session).refusal, None);
+    assert_eq!(face(&session).refusal().cloned(), None);
 }
 
 /// Distance of the selection from a position at rest, in metres.
@@ -223,11 +223,11 @@ fn point_edits_are_mirrored_and_wait_on_coarser_meshes() {
         assert!(displacement_mm(&session, &before, vertex).distance(DVec3::new(x, 0.0, 2.0)) < 1e-9);
     }
     let now = state(&session);
-    assert_eq!((now.committed_mm.z, now.can_mirror, now.can_reset_selection), (2.0, true, true));
+    assert_eq!((now.offset_mm[2], now.can_mirror, now.can_reset_selection), (2.0, true, true));
     let target = EditTarget::Point { level: 1, vertex: 1_500 };
     let label = face(&session).document().history().entries()[0].label.clone();
     assert_eq!(label, "point-1500@1");
-    assert_eq!((face(&session).rows()[0].target, session.selected_target()), (target, Some(target)));
+    assert_eq!((face(&session).rows()[0].target, now.target.unwrap().id.as_str()), (target, "point-1500@1"));
     assert!(face(&session).document().part_of(target).is_some());
     assert_eq!(face(&session).rows()[0].status, EntryStatus::InForce);
     act(&mut session, Intent::Density(0));
@@ -242,7 +242,10 @@ fn selection_and_entry_have_the_same_target() {
     select(&mut session, Selection::Landmark(NOSE_TIP));
     move_by(&mut session, DVec3::Z);
     let target = EditTarget::Landmark(NOSE_TIP);
-    assert_eq!((session.selected_target(), face(&session).rows()[0].target), (Some(target), target));
+    assert_eq!(
+        (face(&session).selection().map(Selection::target), face(&session).rows()[0].target),
+        (Some(target), target)
+    );
     assert_eq!(face(&session).document().history().entries()[0].label, "nose-tip");
 }
 
@@ -255,7 +258,7 @@ fn points_of_the_tessellation_move_without_the_mirror() {
     act(&mut session, Intent::Triangulation(Triangulation::Tessellation));
     assert!(away_m(&session, position_m) < 0.002);
     assert!(!state(&session).can_mirror);
-    act(&mut session, Intent::Preview(DVec3::Z));
+    act(&mut session, Intent::Offset(DVec3::Z));
     assert_eq!(face(&session).document().handles().len(), 1);
     select(&mut session, Selection::Landmark(61));
     assert!(state(&session).can_mirror);

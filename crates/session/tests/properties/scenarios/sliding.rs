@@ -14,8 +14,7 @@ fn slide(session: &mut Session, slider: FaceSlider, to_mm: f64) {
 }
 
 fn value_of(session: &Session, slider: FaceSlider) -> f64 {
-    let place = FaceSlider::ALL.iter().position(|one| *one == slider).unwrap();
-    session.tick().sliders_mm[place]
+    state(session).sliders_mm[slider.id()]
 }
 
 #[test]
@@ -73,7 +72,7 @@ fn the_selection_is_prepared_again_after_a_slider() {
     select(&mut session, Selection::Landmark(61));
     let document = face(&session).document();
     let (spec, influence) = (document.spec().cloned(), document.influence().cloned().unwrap());
-    act(&mut session, Intent::Preview(DVec3::Y));
+    act(&mut session, Intent::Offset(DVec3::Y));
     slide(&mut session, FaceSlider::EyeSize, 1.0);
     let targets: Vec<EditTarget> = face(&session).rows().iter().map(|row| row.target).collect();
     assert_eq!(targets, [EditTarget::Landmark(61), EditTarget::Slider(FaceSlider::EyeSize)]);
@@ -82,5 +81,5 @@ fn the_selection_is_prepared_again_after_a_slider() {
     let fields = face(&session).influence_fields()[0].unwrap();
     assert_eq!(fields.len(), influence.direct.len());
     assert!(fields.iter().zip(influence.direct).all(|(now, before)| (now - before).abs() < 1e-12));
-    assert_eq!(state(&session).committed_mm.y, 1.0);
+    assert_eq!(face(&session).committed_mm().y, 1.0);
 }

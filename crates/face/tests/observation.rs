@@ -1,0 +1,119 @@
+//! Bytes of an observation, which files, the database and the worker's answers store.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use proptest::prelude::*;
+use rosto_face::*;
+
+/// Number of landmarks with the irises.
+const WITH_IRISES: usize = 478;
+
+fn lens() -> impl Strategy<Value = PhotoLens> {
+    prop_oneof![
+        Just(PhotoLens::Estimated),
+        Just(PhotoLens::Parallel),
+        (5.0..=2000.0).prop_map(PhotoLens::Exif),
+        (5.0..=2000.0).prop_map(PhotoLens::Given),
+        (0.1..=20.0).prop_map(PhotoLens::Distance),
+    ]
+}
+
+prop_compose! {
+    fn observation()(count in prop_oneof![Just(LANDMARK_COUNT), Just(WITH_IRISES)])(
+        landmarks in prop::collection::vec(prop::array::uniform3(-300.0f32..=300.0), count),
+        photo_size_px in prop::array::uniform2(1u32..),
+        colours_srgb in prop::collection::vec(any::<[u8; 3]>(), LANDMARK_COUNT),
+        found_lens in lens(),
+        lens in lens(),
+    ) -> Observation {
+        Observation { landmarks, photo_size_px, colours_srgb, found_lens, lens, picture: None }
+    }
+}
+
+/// The canonical face in a square photo.
+fn canonical() -> Observation {
+    let landmark = |p: glam::DVec3| [0.5 + 3.0 * p.x, 0.5 - 3.0 * p.y, -3.0 * p.z].map(|at| at as f32);
+    Observation {
+        landmarks: canonical_positions_m().into_iter().map(landmark).collect(),
+        photo_size_px: [300, 300],
+        colours_srgb: vec![[180, 120, 90]; LANDMARK_COUNT],
+        found_lens: PhotoLens::Exif(26.0),
+        lens: PhotoLens::Distance(0.35),
+        picture: None,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn each_observation_reads_back_from_its_bytes(observation in observation()) {
+        prop_assert_eq!(Observation::from_bytes(&observation.to_bytes()), Ok(observation));
+    }
+
+    #[test]
+    fn truncated_and_surplus_bytes_are_refused(observation in observation(), share in 0.0..1.0, extra in 1usize..40) {
+        let bytes = observation.to_bytes();
+        let kept = (bytes.len() as f64 * share) as usize;
+        prop_assert_eq!(Observation::from_bytes(&bytes[..kept]), Err(FaceError::Record { bytes: kept }));
+        let longer = [bytes, vec![0; extra]].concat();
+        prop_assert_eq!(Observation::from_bytes(&longer), Err(FaceError::Record { bytes: longer.len() }));
+    }
+
+    #[test]
+    fn arbitrary_bytes_do_not_panic(noise in prop::collection::vec(any::<u8>(), 0..8000)) {
+        let _ = Observation::from_bytes(&noise);
+        let versioned = [&[1], noise.as_slice()].concat();
+        let _ = Observation::from_bytes(&versioned);
+    }
+
+    /// A changed byte gives an error, or an observation that was checked.
+    #[test]
+    fn damaged_bytes_give_a_checked_observation_or_an_error(at in any::<prop::sample::Index>(), byte in any::<u8>()) {
+        let mut bytes = canonical().to_bytes();
+        let at = at.index(bytes.len());
+        bytes[at] = byte;
+        if let Ok(observation) = Observation::from_bytes(&bytes) {
+            prop_assert!(observation.checked().is_ok());
+        }
+    }
+}
+
+#[test]
+fn another_version_is_refused_by_its_number() {
+    let mut bytes = canonical().to_bytes();
+    bytes[0] = 2;
+    assert_eq!(Observation::from_bytes(&bytes), Err(FaceError::RecordVersion { found: 2, known: 1 }));
+}
+
+#[test]
+fn the_picture_is_not_in_the_bytes() {
+    let picture = Some(Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap());
+    let with_picture = Observation { picture, ..canonical() };
+    assert_eq!(Observation::from_bytes(&with_picture.to_bytes()), Ok(canonical()));
+}
+
+#[test]
+fn implausible_landmarks_are_refused() {
+    let refused = |change: fn(&mut Observation)| {
+        let mut observation = canonical();
+        change(&mut observation);
+        Observation::from_bytes(&observation.to_bytes()).unwrap_err()
+    };
+    assert_eq!(refused(|of| of.landmarks[7][1] = f32::NAN), FaceError::NotFinite { landmark: 7 });
+    assert_eq!(refused(|of| of.landmarks[7][1] = 1e6), FaceError::Implausible);
+    assert_eq!(refused(|of| of.landmarks.fill([0.5; 3])), FaceError::Degenerate);
+    let shrunk = |of: &mut Observation| of.landmarks.as_flattened_mut().iter_mut().for_each(|number| *number *= 1e-7);
+    assert_eq!(refused(shrunk), FaceError::Implausible);
+    assert_eq!(refused(|of| of.photo_size_px = [0, 300]), FaceError::EmptyPicture { width: 0, height: 300 });
+}
+
+#[test]
+fn the_chosen_lens_does_not_replace_the_found_one() {
+    let found = Observation { lens: PhotoLens::Exif(26.0), ..canonical() };
+    let chosen = found.clone().with_lens(PhotoLens::Given(50.0));
+    assert_eq!((chosen.found_lens, chosen.lens), (PhotoLens::Exif(26.0), PhotoLens::Given(50.0)));
+    let face = FaceModel::new(chosen.clone(), Triangulation::Canonical).unwrap();
+    let again = face.with_lens(PhotoLens::Distance(0.5)).unwrap();
+    assert_eq!((again.photos()[0].found_lens, again.lens()), (PhotoLens::Exif(26.0), PhotoLens::Distance(0.5)));
+}

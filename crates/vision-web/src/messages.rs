@@ -1,0 +1,143 @@
+//! Plain objects of the worker's requests and answers, with their TypeScript types.
+
+use js_sys::Uint8ClampedArray;
+use rosto::Photo;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use tsify::{Ts, Tsify};
+
+use crate::error::{self, Result};
+
+/// An edited face.
+#[derive(Debug, Clone, Deserialize, Tsify)]
+pub struct FaceRequest {
+    /// The photos, as text of the studio's `savedPhotos`.
+    pub photos: String,
+    /// The edits, as text of the studio's `savedEdits`; undefined for a newly found face.
+    pub edits: Option<String>,
+    /// Name of the kept picture of each photo.
+    pub pictures: Vec<String>,
+}
+
+/// Contents of an opened file.
+#[derive(Debug, Clone, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct OpenedFile {
+    /// Kind of the file.
+    pub kind: OpenedKind,
+    /// The faces, the most prominent first; a photo can have none.
+    pub faces: Vec<OpenedFace>,
+    /// Whether another program has changed the mesh; the face opens as it was saved.
+    pub changed_elsewhere: bool,
+}
+
+/// Kind of an opened file.
+#[derive(Debug, Clone, Copy, Serialize, Tsify)]
+#[serde(rename_all = "kebab-case")]
+pub enum OpenedKind {
+    /// A photo.
+    Photo,
+    /// A GLB or project that Rosto wrote.
+    Saved,
+}
+
+/// A face in an opened file.
+#[derive(Debug, Clone, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct OpenedFace {
+    /// The photos, as text for the studio's `open`.
+    pub photos: String,
+    /// The edits, as text for the studio's `open`; undefined for a newly found face.
+    pub edits: Option<String>,
+    /// Name of the kept picture of each photo.
+    pub pictures: Vec<String>,
+    /// Index of the lead photo.
+    pub lead: usize,
+    /// Bounding box of the landmarks in the lead photo: left, top, width and height, as shares of its size.
+    #[serde(rename = "box")]
+    pub bounds: [f64; 4],
+    /// Width and height of the lead photo in px.
+    pub size_px: [u32; 2],
+    /// Landmarks in the lead photo, 468 or 478 × (x, y), as shares of its size.
+    pub points: Vec<f32>,
+    /// Whether the detection may not be a face.
+    pub is_doubtful: bool,
+}
+
+/// An upright picture.
+#[derive(Debug, Clone, Serialize, Tsify)]
+pub struct RawPicture {
+    /// Width in px.
+    pub width: u32,
+    /// Height in px.
+    pub height: u32,
+    /// RGBA, row by row from the top, straight alpha.
+    #[serde(with = "tsify::serde_wasm_bindgen::preserve")]
+    #[tsify(type = "Uint8ClampedArray<ArrayBuffer>")]
+    pub rgba: Uint8ClampedArray,
+}
+
+/// An exported file; an archive if there are sidecar files.
+#[derive(Debug, Clone, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct WrittenFile {
+    /// Contents of the file.
+    #[serde(with = "tsify::serde_wasm_bindgen::preserve")]
+    #[tsify(type = "Uint8Array<ArrayBuffer>")]
+    pub bytes: js_sys::Uint8Array,
+    /// Extension of the file's name.
+    pub extension: String,
+    /// Media type.
+    pub media_type: String,
+}
+
+/// Measures of a body for printing.
+#[derive(Debug, Clone, Copy, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct SolidFacts {
+    /// Enclosed volume, in cm³.
+    pub volume_cm3: f64,
+    /// Sides of the bounding box, in mm: x, y, z.
+    pub size_mm: [f64; 3],
+    /// Smallest wall thickness, in mm.
+    pub thinnest_mm: f64,
+    /// Distance by which sharp folds were rounded to make room for the wall, in mm; 0 if none were.
+    pub moved_mm: f64,
+    /// Mass in g if printed solid in PLA.
+    pub pla_grams: f64,
+}
+
+/// Converts an answer to a plain object.
+pub(crate) fn sent<T: Tsify + Serialize>(answer: &T) -> Result<Ts<T>> {
+    answer.into_ts().map_err(|reason| error::internal(&reason.to_string()))
+}
+
+/// Reads a plain object.
+///
+/// # Errors
+/// Throws `bad-choice` if it is not of this type.
+pub(crate) fn received<T: Tsify + DeserializeOwned>(request: &Ts<T>) -> Result<T> {
+    T::from_js(request.js_value()).map_err(|reason| error::bad_choice(&reason.to_string()))
+}
+
+impl RawPicture {
+    /// Converts a picture in parts, so that only the result exists in full.
+    pub(crate) fn of(photo: &Photo) -> Self {
+        const ROWS: u32 = 64;
+        let (width, height) = (photo.width(), photo.height());
+        let rgba = Uint8ClampedArray::new_with_length(4 * width * height);
+        for first in (0..height).step_by(ROWS as usize) {
+            let last = (first + ROWS).min(height);
+            rgba.subarray(4 * width * first, 4 * width * last).copy_from(&photo.rgba_rows(first..last));
+        }
+        Self { width, height, rgba }
+    }
+}
+
+impl From<rosto::SolidFacts> for SolidFacts {
+    fn from(facts: rosto::SolidFacts) -> Self {
+        let rosto::SolidFacts { volume_cm3, size_mm, thinnest_mm, moved_mm } = facts;
+        let pla_grams = facts.mass_g(rosto_export::PLA_G_PER_CM3);
+        Self { volume_cm3, size_mm: size_mm.to_array(), thinnest_mm, moved_mm, pla_grams }
+    }
+}
