@@ -18,7 +18,7 @@ pub struct PhotoEdit {
 }
 
 impl PhotoEdit {
-    /// The edits as text, for [`SavedFace::photo_edit`](crate::SavedFace::photo_edit).
+    /// The edits as text, for [`SavedEdits::photo_edit`](crate::SavedEdits::photo_edit).
     pub fn to_json(&self) -> String {
         let dab = |dab: &Dab| json!([dab.centre_px.x, dab.centre_px.y, dab.radius_px]);
         let protected: Vec<Value> = self.strokes.iter().map(|stroke| stroke.iter().map(dab).collect()).collect();
