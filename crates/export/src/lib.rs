@@ -14,6 +14,7 @@ mod placed;
 mod printable;
 pub mod project;
 mod reopen;
+mod reopen_error;
 mod saved;
 mod sniff;
 mod texture;
@@ -28,7 +29,8 @@ pub use format::{
 pub use glb::{GlbOptions, Material, Morph, TextureSize, glb, gltf};
 pub use model::{Model, Picture};
 pub use printable::{ParseSolidError, SOLID_MM, Solid, SolidFacts};
-pub use reopen::{ReopenError, Reopened, reopen};
+pub use reopen::{Reopened, reopen};
+pub use reopen_error::ReopenError;
 pub use rosto_solid::{PLA_G_PER_CM3, SolidError};
 pub use saved::{SavedEdits, SavedFace, Source};
 pub use sniff::{FileKind, SNIFFED_BYTES, sniff};

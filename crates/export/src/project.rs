@@ -6,7 +6,7 @@
 use serde_json::Value;
 
 use crate::placed::PlacedPicture;
-use crate::reopen::{check_version, field};
+use crate::reopen_error::{check_version, field};
 use crate::saved::{Pictures, fields, read as read_fields};
 use crate::sniff::without_bom;
 use crate::{ExportError, ReopenError, Reopened, Source, texture};

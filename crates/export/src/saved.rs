@@ -5,7 +5,7 @@ use rosto_face::{FaceModel, MAX_DENSITY, MAX_PHOTOS, Observation, Photo, Triangu
 use serde_json::{Value, json};
 
 use crate::placed::{PlacedPicture, painted, placement};
-use crate::reopen::field;
+use crate::reopen_error::field;
 use crate::{ExportError, Picture, ReopenError, about, texture};
 
 /// A face as files, the browser's database and the worker's messages hold it.
@@ -134,6 +134,11 @@ impl SavedFace {
 }
 
 impl SavedEdits {
+    /// No edits, on a mesh with this triangulation and density.
+    pub fn none(triangulation: Triangulation, density: u32) -> Self {
+        Self { triangulation, density, history: None, photo_edit: None }
+    }
+
     /// The edits as text.
     ///
     /// # Errors

@@ -1,9 +1,9 @@
 use glam::{DMat3, DVec2, DVec3};
-use rosto_export::{SavedFace, Solid, SolidFacts, Units};
-use rosto_face::{FaceModel, Photo};
-use rosto_studio::{Document, Rest, project, texture_side_px, whole_texture};
+use rosto_export::{SavedEdits, SavedFace, Solid, SolidFacts, Units};
+use rosto_face::{FaceModel, Photo, Triangulation};
+use rosto_studio::{Document, Rest, SMOOTH_DENSITY, project, texture_side_px, whole_texture};
 
-use crate::{Error, FileOptions, Format, MeshRequest};
+use crate::{Error, FileOptions, Format};
 
 /// An edited face, ready to be written in any format.
 pub struct FaceMesh {
@@ -26,7 +26,7 @@ impl FaceMesh {
     /// # Errors
     /// [`Error::Face`], [`Error::Project`] or [`Error::Studio`].
     pub fn reopen(saved: SavedFace) -> Result<Self, Error> {
-        let Some(edits) = saved.edits else { return MeshRequest::of(saved.photos).open() };
+        let edits = saved.edits.unwrap_or_else(|| SavedEdits::none(Triangulation::Canonical, SMOOTH_DENSITY));
         let entries = edits.history.as_deref().map(project::from_json).transpose()?.unwrap_or_default();
         let face = FaceModel::from_photos(saved.photos, edits.triangulation)?;
         let document = Document::open(Rest::of_face(&face), entries, edits.density)?;

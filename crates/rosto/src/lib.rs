@@ -3,6 +3,7 @@
 //! A [`MeshRequest`] opens as a [`FaceMesh`], which [`FaceMesh::write`] writes in any [`Format`]; a [`PhotoRequest`]
 //! gives the edited photo. The command line, the Python package and the page use the same requests.
 
+mod check_file;
 mod error;
 mod face_mesh;
 mod file_options;
