@@ -11,6 +11,8 @@ import { FOLDER, SAMPLE, shapeOf } from "./files.mjs";
 const MAX_OFF_PX = 0.1;
 /** At the border, triangles end inside a pixel, and the photo's background shows. */
 const BORDER_PX = 2;
+/** Offset of the landmarks in a photo's bytes: see docs/formats.md. */
+const LANDMARKS_AT = 11;
 /** A face of 128 px has 16 000. */
 const MIN_PIXELS = 5_000;
 /** By one pixel to the left, right, top and bottom. */
@@ -39,9 +41,9 @@ export async function assertOnThePhoto({ module, remarks }, { row, path: file })
 /** Camera from the GLB's extras, and the largest distance of a landmark from its position in the photo. */
 async function photoCamera(file, shape, { width, height }) {
   const glb = await readFile(file);
-  const { about, landmarks } = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()).scenes[0].extras;
+  const { about, photos: [{ observation }] } = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString()).scenes[0].extras;
   const { positions } = await shapeOf({ ...shape, density: 0, edits: [] });
-  const bytes = Buffer.from(landmarks, "base64");
+  const bytes = Buffer.from(observation, "base64").subarray(LANDMARKS_AT);
   const photo_px = positions.map((_, at) => [(bytes.readFloatLE(12 * at) - 0.5) * width, (0.5 - bytes.readFloatLE(12 * at + 4)) * height]);
   // Intrinsic rotations: yaw about +Y, then pitch about +X, then roll about +Z.
   const [pitch, yaw, roll] = [about.pitch_deg, about.yaw_deg, about.roll_deg].map(MathUtils.degToRad);
