@@ -332,22 +332,22 @@ async fn edits_are_restored_from_text_at_each_density() {
     select(&mut studio, 61);
     apply(&mut studio, json!({ "offset": [2, 3, 1] }));
     apply(&mut studio, json!("commit"));
-    let (edits, mesh) = (studio.saved_edits().unwrap(), shown_mesh(&mut studio));
+    let (edits, about) = (studio.saved_edits().unwrap(), studio.about().unwrap());
     open(&mut studio).await;
-    assert_ne!(shown_mesh(&mut studio), mesh);
+    assert_ne!(studio.about().unwrap(), about);
     open_work(&mut studio, 0, &history(&edits)).unwrap();
-    assert_eq!(shown_mesh(&mut studio), mesh);
+    assert_eq!(studio.about().unwrap(), about);
     for (density, vertices) in [(1, 468 + 1365), (0, 468)] {
         apply(&mut studio, json!({ "density": density.to_string() }));
         assert_eq!(state(&studio)["vertexCount"], vertices);
         assert!(!pixels(&mut studio).await.is_empty());
     }
-    assert_eq!(shown_mesh(&mut studio), mesh);
+    assert_eq!(studio.about().unwrap(), about);
     open_work(&mut studio, 1, &history(&edits)).unwrap();
     let now = state(&studio);
     assert_eq!((&now["chosen"]["density"], &now["vertexCount"]), (&json!("1"), &json!(468 + 1365)));
     apply(&mut studio, json!({ "density": "0" }));
-    assert_eq!(shown_mesh(&mut studio), mesh);
+    assert_eq!(studio.about().unwrap(), about);
 }
 
 #[wasm_bindgen_test]
