@@ -48,7 +48,6 @@ import { WholeTexture } from "./viewport/whole-texture.js";
 import { Host } from "./viewport/host.js";
 import { onLocaleChange, language, languages, loadWords, setLanguage, translatePage } from "./words/words.js";
 import { Autosave } from "./work/autosave.js";
-import { leadOf } from "./work/face.js";
 import { FaceFiles } from "./work/face-files.js";
 
 await loadWords(remembered("language") ?? navigator.language);
@@ -100,7 +99,7 @@ async function openHost() {
     new ExpressionPanel(opened);
     new PhotosPanel(opened, opening, vision);
     setUpViewPanel(opened);
-    new SizePanel(opened, foundLens);
+    new SizePanel(opened);
     setUpInPhotoPanel(opened);
     setUpHistoryPanel(opened);
     const files = new FaceFiles(opened, vision, opening);
@@ -128,12 +127,6 @@ async function loadInBackground() {
   await vision.ready;
   await host;
   await Promise.allSettled([showSample(), validator.start(), storeOffline(isFallback()), prepareRestart()]);
-}
-
-/** Lens by the lead photo's own data. */
-function foundLens() {
-  const { face } = opening;
-  return face && leadOf(face).foundLens;
 }
 
 /**

@@ -1,4 +1,5 @@
 mod appearance;
+mod dispatch;
 mod editing;
 #[cfg(test)]
 mod faults;

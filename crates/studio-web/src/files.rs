@@ -5,6 +5,7 @@ use wasm_bindgen_futures::future_to_promise;
 
 use crate::Studio;
 use crate::error::FacadeError;
+use crate::sent::sent;
 use crate::snapshot::Snapshot;
 
 /// Facts for files, and pictures of the view.
@@ -35,6 +36,9 @@ impl Studio {
         let picture = self.viewport.snapshot(&self.session.stage().without_tools(), [width_px, height_px], background);
         self.session.stage_mut().request_frame();
         let picture = picture.map_err(FacadeError::from)?;
-        Ok(future_to_promise(async move { Ok(Snapshot::from(picture.await.map_err(FacadeError::from)?).into()) }))
+        Ok(future_to_promise(async move {
+            let snapshot = Snapshot::from(picture.await.map_err(FacadeError::from)?);
+            Ok(sent(&snapshot)?.into())
+        }))
     }
 }

@@ -15,7 +15,6 @@ mod photos;
 mod picture;
 mod pieces;
 mod queries;
-mod readable;
 mod renderer;
 mod sent;
 mod shown;
@@ -26,7 +25,7 @@ mod texture;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-pub use paper::{PaperClaims, PaperMethod, PaperRow, PaperRun};
+pub use paper::{PaperClaims, PaperMethod, PaperResults, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
 pub use snapshot::Snapshot;
 pub use studio::Studio;

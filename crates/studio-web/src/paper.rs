@@ -6,11 +6,13 @@ use rosto_studio::paper::{
     Claims, DEGREES, Experiment, Method, MethodOutcome, OFFSETS, Plan, PlotWords, TABLE_1, TableRow, Task, Trial, svg,
 };
 use rosto_studio::{ConstraintKind, StudioError};
+use serde::Serialize;
+use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
 use crate::error::Result;
-use crate::readable::readable;
+use crate::sent::sent;
 
 /// The paper's experiment on the open face; independent of its edits.
 ///
@@ -75,51 +77,9 @@ impl PaperRun {
         }
     }
 
-    /// Table 1 of the paper, with the times of the first run.
-    pub fn table(&self) -> Vec<PaperRow> {
-        let mut edits = self.trials[0].edits().iter();
-        let row = |row: &TableRow| {
-            let [first_ms, second_ms] = row.seconds.map(|seconds| seconds * 1e3);
-            let (task, degree, here_ms) = match row.task {
-                Task::Extraction => ("extraction", 0, None),
-                Task::Generation => ("generation", 0, self.generation_ms),
-                Task::Edit { degree, round } => {
-                    let task = if round == 0 { "small-edit" } else { "large-edit" };
-                    (task, degree as u32, edits.next().map(|edit| edit.time.as_secs_f64() * 1e3))
-                }
-            };
-            PaperRow { task: task.to_owned(), degree, first_ms, second_ms, here_ms }
-        };
-        TABLE_1.iter().map(row).collect()
-    }
-
-    /// Results of each method.
-    pub fn methods(&self) -> Vec<PaperMethod> {
-        let of_method = |(method, trials): (Method, &[Trial])| {
-            let outcome = MethodOutcome::of(&self.experiment, method, trials);
-            PaperMethod {
-                operator: method.operator.id().to_owned(),
-                constraint: if method.constraint == ConstraintKind::Hard { "exact" } else { "soft" }.to_owned(),
-                time_ms: outcome.time_ms.median,
-                bent: outcome.bent.median,
-                stretch: outcome.stretch.median,
-                flipped: outcome.flipped.median,
-                smooth: outcome.smooth as u32,
-                edits: outcome.edits as u32,
-            }
-        };
-        Method::all().into_iter().zip(self.trials.chunks(self.runs)).map(of_method).collect()
-    }
-
-    /// The paper's claims as numbers, for its method.
-    pub fn claims(&self) -> PaperClaims {
-        let claims = Claims::of(self.papers_trials());
-        PaperClaims {
-            degree_ratio: claims.degree_ratio,
-            offset_ratio: claims.offset_ratio,
-            smooth: claims.smooth as u32,
-            edits: claims.edits as u32,
-        }
+    /// Returns the results so far.
+    pub fn results(&self) -> Result<Ts<PaperResults>, JsValue> {
+        Ok(sent(&PaperResults { table: self.table(), methods: self.methods(), claims: self.claims() })?)
     }
 
     /// SVG plot of time against degree and offset, for the paper's method.
@@ -162,59 +122,109 @@ impl PaperRun {
         Ok(())
     }
 
+    fn table(&self) -> Vec<PaperRow> {
+        let mut edits = self.trials[0].edits().iter();
+        let row = |row: &TableRow| {
+            let [first_ms, second_ms] = row.seconds.map(|seconds| seconds * 1e3);
+            let (task, degree, here_ms) = match row.task {
+                Task::Extraction => ("extraction", 0, None),
+                Task::Generation => ("generation", 0, self.generation_ms),
+                Task::Edit { degree, round } => {
+                    let task = if round == 0 { "small-edit" } else { "large-edit" };
+                    (task, degree, edits.next().map(|edit| edit.time.as_secs_f64() * 1e3))
+                }
+            };
+            PaperRow { task, degree, first_ms, second_ms, here_ms }
+        };
+        TABLE_1.iter().map(row).collect()
+    }
+
+    fn methods(&self) -> Vec<PaperMethod> {
+        let of_method = |(method, trials): (Method, &[Trial])| {
+            let outcome = MethodOutcome::of(&self.experiment, method, trials);
+            PaperMethod {
+                operator: method.operator.id(),
+                constraint: if method.constraint == ConstraintKind::Hard { "exact" } else { "soft" },
+                time_ms: outcome.time_ms.median,
+                bent: outcome.bent.median,
+                stretch: outcome.stretch.median,
+                flipped: outcome.flipped.median,
+                smooth: outcome.smooth,
+                edits: outcome.edits,
+            }
+        };
+        Method::all().into_iter().zip(self.trials.chunks(self.runs)).map(of_method).collect()
+    }
+
+    fn claims(&self) -> PaperClaims {
+        let Claims { degree_ratio, offset_ratio, smooth, edits, .. } = Claims::of(self.papers_trials());
+        PaperClaims { degree_ratio, offset_ratio, smooth, edits }
+    }
+
     fn papers_trials(&self) -> &[Trial] {
         &self.trials[..self.runs]
     }
 }
 
-readable! {
-    /// A row of the paper's Table 1, with the time measured here.
-    pub struct PaperRow {
-        /// The timed task: "extraction", "generation", "small-edit" or "large-edit".
-        task: String,
-        /// Number of neighbours of the moved vertex; 0 for other tasks.
-        degree: u32,
-        /// Time in the paper's first test, ms.
-        first_ms as firstMs: f64,
-        /// Time in the paper's second test, ms.
-        second_ms as secondMs: f64,
-        /// Time measured here, ms; undefined if not measured.
-        here_ms as hereMs: Option<f64>,
-    }
+/// Results of the experiment.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+pub struct PaperResults {
+    /// Table 1 of the paper, with the times of the first run.
+    pub table: Vec<PaperRow>,
+    /// Results of each method.
+    pub methods: Vec<PaperMethod>,
+    /// The paper's claims as numbers, for its method.
+    pub claims: PaperClaims,
 }
 
-readable! {
-    /// Results of a method: medians over the runs, after all six edits.
-    pub struct PaperMethod {
-        /// Operator of the δ-coordinates.
-        operator: String,
-        /// How firmly handle and anchors were held.
-        constraint: String,
-        /// Time of an edit, ms.
-        time_ms as timeMs: f64,
-        /// `‖δ' − δ‖` over the mesh, in image units.
-        bent: f64,
-        /// Greatest ratio of an edge's length to its length at rest.
-        stretch: f64,
-        /// Number of inverted triangles.
-        flipped: f64,
-        /// Number of edits that raised no isolated peak.
-        smooth: u32,
-        /// Number of edits.
-        edits: u32,
-    }
+/// A row of the paper's Table 1, with the time measured here.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct PaperRow {
+    /// The timed task: "extraction", "generation", "small-edit" or "large-edit".
+    pub task: &'static str,
+    /// Number of neighbours of the moved vertex; 0 for other tasks.
+    pub degree: usize,
+    /// Time in the paper's first test, ms.
+    pub first_ms: f64,
+    /// Time in the paper's second test, ms.
+    pub second_ms: f64,
+    /// Time measured here, ms; undefined if not measured.
+    pub here_ms: Option<f64>,
 }
 
-readable! {
-    /// The paper's claims as numbers.
-    pub struct PaperClaims {
-        /// Ratio of the slowest degree's median time to the fastest's.
-        degree_ratio as degreeRatio: f64,
-        /// Ratio of the slower offset's median time to the faster's.
-        offset_ratio as offsetRatio: f64,
-        /// Number of edits that raised no isolated peak.
-        smooth: u32,
-        /// Number of edits.
-        edits: u32,
-    }
+/// Results of a method: medians over the runs, after all six edits.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct PaperMethod {
+    /// Operator of the δ-coordinates.
+    pub operator: &'static str,
+    /// How firmly handle and anchors were held: "exact" or "soft".
+    pub constraint: &'static str,
+    /// Time of an edit, ms.
+    pub time_ms: f64,
+    /// `‖δ' − δ‖` over the mesh, in image units.
+    pub bent: f64,
+    /// Greatest ratio of an edge's length to its length at rest.
+    pub stretch: f64,
+    /// Number of inverted triangles.
+    pub flipped: f64,
+    /// Number of edits that raised no isolated peak.
+    pub smooth: usize,
+    /// Number of edits.
+    pub edits: usize,
+}
+
+/// The paper's claims as numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct PaperClaims {
+    /// Ratio of the slowest degree's median time to the fastest's.
+    pub degree_ratio: f64,
+    /// Ratio of the slower offset's median time to the faster's.
+    pub offset_ratio: f64,
+    /// Number of edits that raised no isolated peak.
+    pub smooth: usize,
+    /// Number of edits.
+    pub edits: usize,
 }

@@ -1,30 +1,22 @@
-use wasm_bindgen::prelude::*;
+use js_sys::Uint8ClampedArray;
+use serde::Serialize;
+use tsify::Tsify;
 
-use crate::readable::readable;
-
-readable! {
-    /// A picture of the canvas as straight (not premultiplied) sRGB RGBA.
-    pub struct Snapshot {
-        /// Width in pixels.
-        width: u32,
-        /// Height in pixels.
-        height: u32,
-    } hidden {
-        pixels: Vec<u8>,
-    }
+/// A picture of the canvas.
+#[derive(Debug, Clone, Serialize, Tsify)]
+pub struct Snapshot {
+    /// Width in px.
+    pub width: u32,
+    /// Height in px.
+    pub height: u32,
+    /// sRGB and straight alpha as RGBA, row by row from the top.
+    #[serde(with = "tsify::serde_wasm_bindgen::preserve")]
+    #[tsify(type = "Uint8ClampedArray<ArrayBuffer>")]
+    pub rgba: Uint8ClampedArray,
 }
 
 impl From<rosto_viewport::Snapshot> for Snapshot {
-    fn from(snapshot: rosto_viewport::Snapshot) -> Self {
-        Self { width: snapshot.width, height: snapshot.height, pixels: snapshot.rgba }
-    }
-}
-
-#[wasm_bindgen]
-impl Snapshot {
-    /// Takes the pixels, row by row from the top; empty on later calls.
-    #[wasm_bindgen(js_name = takePixels)]
-    pub fn take_pixels(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.pixels)
+    fn from(rosto_viewport::Snapshot { width, height, rgba }: rosto_viewport::Snapshot) -> Self {
+        Self { width, height, rgba: rgba.as_slice().into() }
     }
 }

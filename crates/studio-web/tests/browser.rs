@@ -149,8 +149,7 @@ fn select(studio: &mut Studio, vertex: u32) {
 async fn pixels(studio: &mut Studio) -> Vec<u8> {
     let promise = studio.snapshot(SIDE_PX, SIDE_PX, true).unwrap();
     let snapshot = JsFuture::from(promise).await.unwrap();
-    let take: js_sys::Function = js_sys::Reflect::get(&snapshot, &"takePixels".into()).unwrap().unchecked_into();
-    take.call0(&snapshot).unwrap().unchecked_into::<js_sys::Uint8Array>().to_vec()
+    js_sys::Reflect::get(&snapshot, &"rgba".into()).unwrap().unchecked_into::<js_sys::Uint8ClampedArray>().to_vec()
 }
 
 fn code(thrown: &JsValue) -> String {

@@ -53,13 +53,6 @@ pub struct OpenedFace {
     pub pictures: Vec<String>,
     /// Index of the lead photo.
     pub lead: usize,
-    /// Bounding box of the landmarks in the lead photo: left, top, width and height, as shares of its size.
-    #[serde(rename = "box")]
-    pub bounds: [f64; 4],
-    /// Width and height of the lead photo in px.
-    pub size_px: [u32; 2],
-    /// Landmarks in the lead photo, 468 or 478 × (x, y), as shares of its size.
-    pub points: Vec<f32>,
     /// Whether the detection may not be a face.
     pub is_doubtful: bool,
 }

@@ -74,25 +74,5 @@ fn lead(photos: &[Observation]) -> Result<usize> {
 }
 
 fn opened(face: &SavedFace, lead: usize, pictures: &[String]) -> OpenedFace {
-    let Observation { landmarks, photo_size_px, .. } = &face.photos[lead];
-    OpenedFace {
-        photos: face.photos_json(),
-        edits: None,
-        pictures: pictures.to_vec(),
-        lead,
-        bounds: bounds(landmarks),
-        size_px: *photo_size_px,
-        points: landmarks.iter().flat_map(|&[x, y, _]| [x, y]).collect(),
-        is_doubtful: false,
-    }
-}
-
-/// Left, top, width and height of the landmarks' bounding box.
-fn bounds(landmarks: &[[f32; 3]]) -> [f64; 4] {
-    let range = |axis: usize| {
-        let along = || landmarks.iter().map(|point| f64::from(point[axis]));
-        (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max))
-    };
-    let ((left, right), (top, bottom)) = (range(0), range(1));
-    [left, top, right - left, bottom - top]
+    OpenedFace { photos: face.photos_json(), edits: None, pictures: pictures.to_vec(), lead, is_doubtful: false }
 }

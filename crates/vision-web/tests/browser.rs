@@ -102,7 +102,7 @@ fn property(error: &Error, name: &str) -> String {
 fn landmarks_and_irises_of_the_portrait_are_close_to_mediapipe() {
     let opened = open(&mut vision(), PORTRAIT).unwrap();
     let face = face(&opened);
-    assert_eq!((&opened["kind"], &face["sizePx"], &face["lead"]), (&json!("photo"), &json!([512, 512]), &json!(0)));
+    assert_eq!((&opened["kind"], &face["lead"]), (&json!("photo"), &json!(0)));
     let golden: Value = serde_json::from_str(GOLDEN).unwrap();
     let expected_px = golden["portrait"]["faces"][0].as_array().unwrap().iter().map(|n| n.as_f64().unwrap() / 1000.0);
     let landmarks = landmarks(face);
@@ -116,11 +116,6 @@ fn landmarks_and_irises_of_the_portrait_are_close_to_mediapipe() {
     // Additional passes refine MediaPipe's single pass slightly.
     assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in total");
     assert_eq!(face["isDoubtful"], false);
-    let points: Vec<f32> = face["points"].as_array().unwrap().iter().map(|n| n.as_f64().unwrap() as f32).collect();
-    assert_eq!(points, landmarks.iter().flat_map(|&[x, y, _]| [x, y]).collect::<Vec<_>>());
-    let [left, top, width, height] = [0, 1, 2, 3].map(|part| face["box"][part].as_f64().unwrap() as f32);
-    let is_inside = |&[x, y]: &[f32; 2]| (left..=left + width).contains(&x) && (top..=top + height).contains(&y);
-    assert!(points.as_chunks().0.iter().filter(|point| is_inside(point)).count() > 470);
 }
 
 #[wasm_bindgen_test]

@@ -101,14 +101,15 @@ export class PaperPanel {
 
   /** @param {PaperRun} run */
   #write(run) {
-    byId("paper-table", HTMLTableSectionElement).replaceChildren(...run.table().map((row) => this.#tableRow(row)));
-    const { degreeRatio, offsetRatio, smooth, edits } = run.claims();
-    const claims = { degree: formatNumber(degreeRatio, 2), offset: formatNumber(offsetRatio, 2), smooth, edits };
-    byId("paper-claims", HTMLParagraphElement).textContent = t("paper.claims", claims);
+    const { table, methods, claims } = run.results();
+    byId("paper-table", HTMLTableSectionElement).replaceChildren(...table.map((row) => this.#tableRow(row)));
+    const { degreeRatio, offsetRatio, smooth, edits } = claims;
+    const figures = { degree: formatNumber(degreeRatio, 2), offset: formatNumber(offsetRatio, 2), smooth, edits };
+    byId("paper-claims", HTMLParagraphElement).textContent = t("paper.claims", figures);
     byId("paper-plot", HTMLDivElement).replaceChildren(plotOf(run));
     const measure = /** @type {Measure} */ (this.#measure.value);
     byId("paper-measure-help", HTMLParagraphElement).textContent = t(`paper.${measure}.help`, { runs: RUNS, edits });
-    byId("paper-methods", HTMLTableSectionElement).replaceChildren(...methodRows(run.methods(), measure));
+    byId("paper-methods", HTMLTableSectionElement).replaceChildren(...methodRows(methods, measure));
   }
 
   /** @param {PaperRow} row */

@@ -28,34 +28,34 @@ export class SizePanel {
   #landmarkIds;
   #measureIds;
   #section = byId("section-size", HTMLDetailsElement);
-  #photoLens;
   #distance;
   /** @type {number | undefined} vertex at the start of the tape */
   #from;
 
-  /**
-   * @param {Host} host
-   * @param {() => string | undefined} known lens data of the open photo
-   */
-  constructor(host, known) {
+  /** @param {Host} host */
+  constructor(host) {
     this.#host = host;
     this.#landmarkIds = host.catalogue.landmarks;
     this.#measureIds = host.catalogue.measures;
-    this.#photoLens = known;
     this.#distance = new Slider({
       ...{ label: "size.distance", longLabel: "size.distance.long", unit: "cm", min: MIN_CM, max: MAX_CM, step: 1 },
       neutral: 50,
       onInput: () => this.#setLens(`distance:${this.#distance.value / CM_PER_M}`),
       onCommit: () => {},
-      onCancel: () => this.#setLens(this.#photoLens() ?? "estimated"),
+      onCancel: () => this.#setLens(this.#foundLens()),
     });
     byId("size-distance", HTMLDivElement).append(this.#distance.element);
-    onAction("distance-known", () => this.#setLens(this.#photoLens() ?? "estimated"));
+    onAction("distance-known", () => this.#setLens(this.#foundLens()));
     onAction("tape-start", () => this.#start());
     // Measuring along a dense mesh takes time, so it runs only while the section is open.
     this.#section.addEventListener("toggle", () => this.#show());
     host.onChange(() => this.#show());
     onLocaleChange(() => this.#show());
+  }
+
+  /** Lens by the photo's own data. */
+  #foundLens() {
+    return this.#host.read((state) => state.foundLens) ?? "estimated";
   }
 
   /** @param {string} lens */

@@ -1,4 +1,4 @@
-import { pngOf } from "../work/pixels.js";
+import { encoded } from "../work/pixels.js";
 
 const TYPE = "image/png";
 
@@ -13,7 +13,7 @@ const SCALE = 2;
  */
 export async function viewPicture(host, isTransparent) {
   const { width, height } = host.canvas;
-  return pngOf(await host.picture((studio) => studio.snapshot(SCALE * width, SCALE * height, isTransparent)));
+  return encoded(await host.picture((studio) => studio.snapshot(SCALE * width, SCALE * height, isTransparent)), TYPE);
 }
 
 /** Whether this browser can copy pictures to the clipboard. */

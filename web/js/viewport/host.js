@@ -14,11 +14,6 @@ import { watchWebGl } from "./webgl-errors.js";
  * @typedef {object} Notices
  * @property {(thrown: unknown, owner: "studio" | "gpu") => void} show
  * @property {(owner: "studio" | "gpu") => void} hide hides that owner's notice only
- *
- * @typedef {object} Picture straight RGBA
- * @property {Uint8Array} picture
- * @property {number} pictureWidth_px
- * @property {number} pictureHeight_px
  */
 
 /**
@@ -210,23 +205,14 @@ export class Host {
    * Draws a picture and returns its pixels.
    *
    * @param {(studio: Studio) => ReturnType<Studio["snapshot"]>} draw
-   * @returns {Promise<Picture>}
    */
   async picture(draw) {
     const instance = this.#instance;
     const check = watchWebGl(this.canvas);
-    const snapshot = await this.answer(draw);
-    if (instance !== this.#instance) {
-      detach(snapshot);
-      throw restartingError();
-    }
-    return this.answer(() => {
-      const size = { pictureWidth_px: snapshot.width, pictureHeight_px: snapshot.height };
-      const picture = snapshot.takePixels();
-      snapshot.free();
-      check();
-      return { picture, ...size };
-    });
+    const picture = await this.answer(draw);
+    if (instance !== this.#instance) throw restartingError();
+    check();
+    return picture;
   }
 
   /**

@@ -19,7 +19,6 @@ import { stemOf, stemOfMesh } from "./file-name.js";
  * @property {number} width_px of the upright photo in which the landmarks were found
  * @property {number} height_px
  * @property {Float32Array} landmarks 468 or 478 × (x/W, y/H, z/W), irises last
- * @property {string} foundLens lens by the photo's own data
  *
  * @typedef {Pick<Face, "photos" | "pictures" | "files">} FacePhoto one photo of a face, with its only file
  */
@@ -27,7 +26,6 @@ import { stemOf, stemOfMesh } from "./file-name.js";
 /** Offsets in the bytes of a photo: see docs/formats.md. */
 const [WIDTH_AT, HEIGHT_AT, COUNT_AT, LANDMARKS_AT] = [1, 5, 9, 11];
 const VERSION = 1;
-const COLOURS_BYTES = 3 * 468;
 
 /**
  * The faces in a file, most prominent first.
@@ -80,9 +78,7 @@ export function viewsOf(photos) {
     if (view.getUint8(0) !== VERSION) throw new Error("a photo of another version");
     const coordinates = 3 * view.getUint16(COUNT_AT, true);
     const landmarks = Float32Array.from({ length: coordinates }, (_, at) => view.getFloat32(LANDMARKS_AT + 4 * at, true));
-    const lensAt = LANDMARKS_AT + 4 * coordinates + COLOURS_BYTES;
-    const foundLens = new TextDecoder().decode(bytes.subarray(lensAt + 1, lensAt + 1 + view.getUint8(lensAt)));
-    return { width_px: view.getUint32(WIDTH_AT, true), height_px: view.getUint32(HEIGHT_AT, true), landmarks, foundLens };
+    return { width_px: view.getUint32(WIDTH_AT, true), height_px: view.getUint32(HEIGHT_AT, true), landmarks };
   });
 }
 

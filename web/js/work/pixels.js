@@ -1,23 +1,48 @@
-/** @typedef {{ picture: Uint8Array, pictureWidth_px: number, pictureHeight_px: number }} Picture RGBA, row by row */
+/**
+ * @typedef {object} Picture
+ * @property {number} width
+ * @property {number} height
+ * @property {Uint8ClampedArray<ArrayBuffer>} rgba row by row, straight alpha
+ */
 
-/** @param {Picture} picture */
-export function bitmapOf(picture) {
-  return createImageBitmap(imageDataOf(picture));
-}
+/** Visually lossless. */
+const JPEG_QUALITY = 0.95;
 
-/** @param {Picture} picture */
-export function pngOf(picture) {
-  const canvas = new OffscreenCanvas(picture.pictureWidth_px, picture.pictureHeight_px);
-  canvas.getContext("2d")?.putImageData(imageDataOf(picture), 0, 0);
-  return canvas.convertToBlob({ type: "image/png" });
+/**
+ * Encodes a picture, without metadata.
+ *
+ * @param {Picture} picture
+ * @param {"image/png" | "image/jpeg"} type
+ */
+export function encoded(picture, type) {
+  const canvas = new OffscreenCanvas(picture.width, picture.height);
+  const context = canvas.getContext("2d", { willReadFrequently: true });
+  context?.putImageData(imageDataOf(picture), 0, 0);
+  // A JPEG has no transparency.
+  if (context && type === "image/jpeg") fillBelow(context, "white");
+  return canvas.convertToBlob({ type, quality: JPEG_QUALITY });
 }
 
 /**
- * Wraps a picture's bytes without copying them.
+ * Converts a picture without changing its pixels.
  *
  * @param {Picture} picture
  */
-export function imageDataOf({ picture, pictureWidth_px, pictureHeight_px }) {
-  const pixels = new Uint8ClampedArray(/** @type {ArrayBuffer} */ (picture.buffer));
-  return new ImageData(pixels, pictureWidth_px, pictureHeight_px);
+export function bitmapOf(picture) {
+  return createImageBitmap(imageDataOf(picture), { premultiplyAlpha: "none", colorSpaceConversion: "none" });
+}
+
+/** @param {Picture} picture */
+export function imageDataOf({ rgba, width, height }) {
+  return new ImageData(rgba, width, height);
+}
+
+/**
+ * @param {OffscreenCanvasRenderingContext2D} context
+ * @param {string} colour
+ */
+function fillBelow(context, colour) {
+  context.globalCompositeOperation = "destination-over";
+  context.fillStyle = colour;
+  context.fillRect(0, 0, context.canvas.width, context.canvas.height);
 }

@@ -15,8 +15,8 @@ import { init as setBase } from "../files.js";
 import { verifiedFile, verifiedModule, setListHash } from "../page/integrity.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
+import { bitmapOf, encoded } from "../work/pixels.js";
 import { follow } from "./frames.js";
-import { bitmapOf, encoded } from "./raw-picture.js";
 import { decoded, keepPictures, readFile } from "./source-files.js";
 
 const page = /** @type {DedicatedWorkerGlobalScope} */ (/** @type {unknown} */ (self));
@@ -214,7 +214,7 @@ function picturesFor(task) {
   }
 }
 
-/** @param {import("./raw-picture.js").RawPicture} picture */
+/** @param {import("../work/pixels.js").Picture} picture */
 async function withBitmap(picture) {
   const bitmap = await bitmapOf(picture);
   return { answer: bitmap, transfer: [bitmap] };
