@@ -24,7 +24,7 @@ impl Studio {
     }
 
     /// Shows a texture, the result of the worker's `texture` at the time of a request, and closes the bitmap when it
-    /// is replaced. A texture that is no longer wanted is ignored.
+    /// is replaced. An outdated texture is ignored.
     ///
     /// # Errors
     /// `bad-face` if the bitmap is closed or too large.

@@ -53,6 +53,10 @@ pub struct OpenedFace {
     pub pictures: Vec<String>,
     /// Index of the lead photo.
     pub lead: usize,
+    /// Width and height of the upright lead photo, in px.
+    pub size_px: [u32; 2],
+    /// Landmarks in the lead photo, 468 or 478 × (x/width, y/height, z/width), one after the other.
+    pub landmarks: Vec<f32>,
     /// Whether the detection may not be a face.
     pub is_doubtful: bool,
 }

@@ -74,5 +74,14 @@ fn lead(photos: &[Observation]) -> Result<usize> {
 }
 
 fn opened(face: &SavedFace, lead: usize, pictures: &[String]) -> OpenedFace {
-    OpenedFace { photos: face.photos_json(), edits: None, pictures: pictures.to_vec(), lead, is_doubtful: false }
+    let Observation { landmarks, photo_size_px, .. } = &face.photos[lead];
+    OpenedFace {
+        photos: face.photos_json(),
+        edits: None,
+        pictures: pictures.to_vec(),
+        lead,
+        size_px: *photo_size_px,
+        landmarks: landmarks.concat(),
+        is_doubtful: false,
+    }
 }

@@ -102,7 +102,7 @@ fn property(error: &Error, name: &str) -> String {
 fn landmarks_and_irises_of_the_portrait_are_close_to_mediapipe() {
     let opened = open(&mut vision(), PORTRAIT).unwrap();
     let face = face(&opened);
-    assert_eq!((&opened["kind"], &face["lead"]), (&json!("photo"), &json!(0)));
+    assert_eq!((&opened["kind"], &face["sizePx"], &face["lead"]), (&json!("photo"), &json!([512, 512]), &json!(0)));
     let golden: Value = serde_json::from_str(GOLDEN).unwrap();
     let expected_px = golden["portrait"]["faces"][0].as_array().unwrap().iter().map(|n| n.as_f64().unwrap() / 1000.0);
     let landmarks = landmarks(face);
@@ -116,6 +116,8 @@ fn landmarks_and_irises_of_the_portrait_are_close_to_mediapipe() {
     // Additional passes refine MediaPipe's single pass slightly.
     assert!(off_px / (478.0 * 3.0) < 1.0, "{off_px} px in total");
     assert_eq!(face["isDoubtful"], false);
+    let found: Vec<f32> = serde_json::from_value(face["landmarks"].clone()).unwrap();
+    assert_eq!(found, landmarks.as_flattened());
 }
 
 #[wasm_bindgen_test]

@@ -23,7 +23,7 @@ impl Session {
         Changed::Document
     }
 
-    /// Reports that a texture has arrived. One that is no longer wanted is ignored.
+    /// Reports that a texture has arrived. An outdated one is ignored.
     pub fn take_texture(&mut self, request: u32) -> Changed {
         if self.texture_wanted() != Some(request) {
             return Changed::Nothing;
