@@ -150,7 +150,7 @@ document.addEventListener("rosto-change", ({ detail }: CustomEvent<StudioSnapsho
 const face: RostoStudio = document.createElement("rosto-studio");
 face.moveLandmark(1, [0, 0, 5]);
 export const glb: Promise<Blob> = face.getGlb();
-export const found = new VisionClient().open(new Blob()).then(({ opened }) => opened.faces[0]?.points.length);
+export const found = new VisionClient().open(new Blob()).then(({ opened }) => opened.faces[0]?.landmarks.length);
 export const session = FaceSession.open(document.createElement("canvas")).then((session) => session.apply("undo"));
 `;
 

@@ -24,8 +24,8 @@ export interface StudioError extends Error { code: StudioErrorCode; hint: string
 const OTHER_VERSION: (&str, &str) =
     ("other-version", "Reload the page to get its newest version, or open the photo instead.");
 
-/// The types of numbers in messages, as serde's errors name them.
-const NUMBERS: [&str; 4] = ["f64", "u32", "usize", "u8"];
+/// The types of numbers in messages; serde's error about one ends with its type.
+const NUMBERS: &str = "f64, u32, usize, u8";
 
 /// An error of the façade; JavaScript receives it as an `Error` with `code` and `hint`.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +70,7 @@ impl FacadeError {
     /// The error of a message that is not an intent.
     pub fn of_message(error: &impl std::fmt::Display) -> Self {
         let message = error.to_string();
-        let is_number = NUMBERS.iter().any(|number| message.ends_with(&format!("expected {number}")));
+        let is_number = NUMBERS.split(", ").any(|number| message.ends_with(&format!("expected {number}")));
         match is_number {
             true => Self::new("bad-number", message, "Enter a number of this kind."),
             false => Self { message, ..Self::bad_choice() },
