@@ -15,7 +15,7 @@ const GUIDE = readFileSync(join(ROOT, "CONTRIBUTING.md"), "utf8");
 function paths(guide, title) {
   const section = guide.split(`### ${title}\n`)[1]?.split("\n### ")[0] ?? "";
   const items = section.split(/^\d+\. /m).slice(1);
-  return items.flatMap((item) => item.match(/`((?:crates|web|tests)\/[\w/.-]+)`/)?.slice(1, 2) ?? []);
+  return items.flatMap((item) => item.split("\n\n")[0].match(/`((?:crates|web|tests)\/[\w/.-]+)`/)?.slice(1, 2) ?? []);
 }
 
 /** @param {string} path */
