@@ -46,14 +46,8 @@ pub struct SavedEdits {
 pub struct Source<'a> {
     /// The unedited face.
     pub face: &'a FaceModel,
-    /// Triangulation of the landmarks in the file.
-    pub triangulation: Triangulation,
-    /// Subdivision level of the mesh in the file.
-    pub density: u32,
-    /// Edits as the text of a JSON object; `None` if there are none.
-    pub history: Option<&'a str>,
-    /// Edits of the photo, in the same form.
-    pub photo_edit: Option<&'a str>,
+    /// The edits, and the mesh in the file.
+    pub edits: &'a SavedEdits,
 }
 
 /// Whether a file includes the pictures of photos other than the lead one.
@@ -73,7 +67,7 @@ pub(crate) fn fields(source: &Source<'_>, lead: Option<Value>, others: Pictures)
         let picture = if index == 0 { lead.clone() } else { picture_of(view, others)? };
         photos[view.photo] = photo(&view.observation, picture);
     }
-    let mut fields = edits(source.triangulation, source.density, source.history, source.photo_edit)?;
+    let mut fields = source.edits.fields()?;
     fields["photos"] = photos.into();
     fields["about"] = about(face, face.positions_m());
     Ok(fields)
@@ -144,24 +138,18 @@ impl SavedEdits {
     /// # Errors
     /// [`ExportError::HistoryNotAnObject`].
     pub fn to_json(&self) -> Result<String, ExportError> {
-        let (history, photo_edit) = (self.history.as_deref(), self.photo_edit.as_deref());
-        Ok(edits(self.triangulation, self.density, history, photo_edit)?.to_string())
+        Ok(self.fields()?.to_string())
     }
-}
 
-fn edits(
-    triangulation: Triangulation,
-    density: u32,
-    history: Option<&str>,
-    photo_edit: Option<&str>,
-) -> Result<Value, ExportError> {
-    let mut fields = json!({"triangulation": triangulation.id(), "density": density});
-    for (name, text) in [("history", history), ("photo_edit", photo_edit)] {
-        if let Some(text) = text {
-            fields[name] = object(text)?;
+    fn fields(&self) -> Result<Value, ExportError> {
+        let mut fields = json!({"triangulation": self.triangulation.id(), "density": self.density});
+        for (name, text) in [("history", &self.history), ("photo_edit", &self.photo_edit)] {
+            if let Some(text) = text {
+                fields[name] = object(text)?;
+            }
         }
+        Ok(fields)
     }
-    Ok(fields)
 }
 
 /// Reads a file's fields. `own` returns the file's own picture for the placement of a photo without `jpeg`, if there is

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{Glb, SIDE, by_photo, face, gradient, model, source};
+use common::{Glb, SIDE, by_photo, edits, face, gradient, model};
 use glam::DVec3;
 use rosto_export::*;
 use rosto_face::Triangulation;
@@ -136,10 +136,11 @@ fn morph_targets_source_and_unlit_material_are_exported() {
     let face = face(Triangulation::Canonical);
     let wider = vec![DVec3::X * 0.01; 468];
     let morphs = [Morph { name: "jaw wider", displacements_m: &wider, weight: 0.5 }];
+    let edits = edits(&face, Some(r#"{"version":1}"#));
     let options = GlbOptions {
         material: Material::Unlit,
         morphs: &morphs,
-        source: Some(source(&face, Some(r#"{"version":1}"#))),
+        source: Some(Source { face: &face, edits: &edits }),
         ..by_photo()
     };
     let file = Glb::read(&glb(&Model::of_face(&face), &options).unwrap());
@@ -170,6 +171,7 @@ fn invalid_models_are_refused() {
     assert_eq!(glb(&model.at(&far), &by_photo()), Err(ExportError::NotFinite { vertex: 7 }));
     assert_eq!(glb(&model, &GlbOptions::default()), Err(ExportError::NoWholePicture));
     assert_eq!(glb(&Model { photo: None, ..model }, &by_photo()), Err(ExportError::NoPicture));
-    let list = GlbOptions { source: Some(source(&face, Some("[1]"))), ..by_photo() };
+    let edits = edits(&face, Some("[1]"));
+    let list = GlbOptions { source: Some(Source { face: &face, edits: &edits }), ..by_photo() };
     assert_eq!(glb(&model, &list), Err(ExportError::HistoryNotAnObject));
 }

@@ -5,7 +5,7 @@
 mod common;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use common::{by_photo, face, gradient, rebuilt, source};
+use common::{by_photo, edits, face, gradient, rebuilt};
 use rosto_export::*;
 use rosto_face::{FaceError, Observation, Triangulation};
 
@@ -13,7 +13,7 @@ const EDITS: &str = r#"{"entries":[0.1,"é"],"rosto":"history","version":1}"#;
 
 fn file() -> Vec<u8> {
     let face = face(Triangulation::Canonical);
-    project::write(&Source { density: 2, ..source(&face, Some(EDITS)) }).unwrap()
+    project::write(&Source { face: &face, edits: &SavedEdits { density: 2, ..edits(&face, Some(EDITS)) } }).unwrap()
 }
 
 /// Splits a project into its line of JSON and the rest.
@@ -166,11 +166,12 @@ fn an_invalid_or_oversized_picture_is_refused() {
 #[test]
 fn a_project_requires_a_picture_and_a_json_history() {
     let face = face(Triangulation::Canonical);
-    assert_eq!(project::write(&source(&face, Some("null"))), Err(ExportError::HistoryNotAnObject));
+    let write = |face, history| project::write(&Source { face, edits: &edits(face, history) });
+    assert_eq!(write(&face, Some("null")), Err(ExportError::HistoryNotAnObject));
     let observation = Observation { picture: None, ..face.photos()[0].clone() };
     let bare = rosto_face::FaceModel::new(observation, Triangulation::Canonical).unwrap();
-    assert_eq!(project::write(&source(&bare, None)), Err(ExportError::NoPicture));
-    let unedited = project::read(&project::write(&source(&face, None)).unwrap()).unwrap();
+    assert_eq!(write(&bare, None), Err(ExportError::NoPicture));
+    let unedited = project::read(&write(&face, None).unwrap()).unwrap();
     assert_eq!(unedited.face.edits.unwrap().history, None);
 }
 
@@ -178,8 +179,9 @@ fn a_project_requires_a_picture_and_a_json_history() {
 fn photo_edits_round_trip() {
     let face = face(Triangulation::Canonical);
     let photo_edit = r#"{"protected_px":[[[1.0,2.0,3.0]]],"seen_from_m":1.5}"#;
-    let read = |photo_edit| {
-        let file = project::write(&Source { photo_edit, ..source(&face, Some(EDITS)) }).unwrap();
+    let read = |photo_edit: Option<&str>| {
+        let edits = SavedEdits { photo_edit: photo_edit.map(str::to_owned), ..edits(&face, Some(EDITS)) };
+        let file = project::write(&Source { face: &face, edits: &edits }).unwrap();
         project::read(&file).unwrap().face.edits.unwrap().photo_edit
     };
     assert_eq!(read(Some(photo_edit)).as_deref(), Some(photo_edit));

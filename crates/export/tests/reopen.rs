@@ -5,7 +5,7 @@
 mod common;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use common::{Glb, SIDE, face, gradient, model, rebuilt, source};
+use common::{Glb, SIDE, edits, face, gradient, model, rebuilt};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use proptest::prelude::*;
@@ -19,7 +19,8 @@ const PNG_START: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
 
 fn file(triangulation: Triangulation, base_colour: BaseColour) -> Vec<u8> {
     let face = face(triangulation);
-    let source = Some(Source { density: 2, ..source(&face, Some(HISTORY)) });
+    let edits = SavedEdits { density: 2, ..edits(&face, Some(HISTORY)) };
+    let source = Some(Source { face: &face, edits: &edits });
     glb(&model(&face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap()
 }
 

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{SIDE, gradient, model, rebuilt, source};
+use common::{SIDE, edits, gradient, model, rebuilt};
 use glam::{DQuat, DVec3};
 use rosto_export::*;
 use rosto_face::{FaceModel, LANDMARK_COUNT, Observation, Photo, PhotoLens, Triangulation, canonical_positions_m};
@@ -38,12 +38,13 @@ fn assert_same(one: &FaceModel, other: &FaceModel) {
 }
 
 fn glb_of(face: &FaceModel, base_colour: BaseColour) -> Vec<u8> {
-    let source = Some(source(face, Some(EDITS)));
+    let edits = edits(face, Some(EDITS));
+    let source = Some(Source { face, edits: &edits });
     glb(&model(face), &GlbOptions { base_colour, source, ..GlbOptions::default() }).unwrap()
 }
 
 fn project_of(face: &FaceModel) -> Vec<u8> {
-    project::write(&source(face, Some(EDITS))).unwrap()
+    project::write(&Source { face, edits: &edits(face, Some(EDITS)) }).unwrap()
 }
 
 #[test]

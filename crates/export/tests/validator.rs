@@ -8,7 +8,7 @@ mod common;
 use std::path::Path;
 use std::process::Command;
 
-use common::{face, model, source};
+use common::{edits, face, model};
 use glam::DVec3;
 use rosto_export::*;
 use rosto_face::Triangulation;
@@ -21,13 +21,14 @@ fn the_khronos_validator_reports_no_issues() {
     let mut paths = Vec::new();
     for triangulation in [Triangulation::Tessellation, Triangulation::Canonical] {
         let face = face(triangulation);
+        let edits = edits(&face, Some(r#"{"a":[1,null]}"#));
         for (base_colour, material) in [
             (BaseColour::Whole, Material::Lit),
             (BaseColour::Photo, Material::Lit),
             (BaseColour::VertexColours, Material::Unlit),
         ] {
             for morphs in [&[][..], &morphs] {
-                let source = Some(source(&face, Some(r#"{"a":[1,null]}"#)));
+                let source = Some(Source { face: &face, edits: &edits });
                 let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
                 let path = folder.join(format!("{}.glb", paths.len()));
                 std::fs::write(&path, glb(&model(&face), &options).unwrap()).unwrap();

@@ -6,7 +6,7 @@ use rosto::{Anchors, Command, Expression, FaceSlider, Region};
 
 use crate::error::refused;
 
-const M_PER_MM: f64 = 1.0 / 1000.0;
+pub const M_PER_MM: f64 = 1.0 / 1000.0;
 
 /// An edit: the Python class of the same name.
 #[derive(FromPyObject)]

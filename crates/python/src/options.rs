@@ -5,10 +5,9 @@ use rosto::{
     Settings, Triangulation, Units, anchor_rule, constraint,
 };
 
-use crate::edits::chosen;
+use crate::edits::{M_PER_MM, chosen};
 use crate::error::refused;
 
-const M_PER_MM: f64 = 1.0 / 1000.0;
 const CM_PER_M: f64 = 100.0;
 
 /// Names and values of options. Values are `bool`, `int`, `float`, `str`, or a list of these.

@@ -1,8 +1,9 @@
 use rosto_export::{
-    Content, ExportedFile, GlbOptions, JsonMesh, Model, Morph, Picture, Source, Units, about, mesh_json,
+    Content, ExportedFile, GlbOptions, JsonMesh, Model, Morph, Picture, SavedEdits, Source, Units, about, mesh_json,
+    project,
 };
 use rosto_face::{Photo, canonical_uvs};
-use rosto_studio::{EditsInRig, Layer, Rig, project};
+use rosto_studio::{EditsInRig, Layer, Rig};
 
 use crate::{Error, FaceMesh, FileOptions, Format};
 
@@ -11,10 +12,13 @@ impl FaceMesh {
     /// extras, from which [`reopen`](crate::reopen) restores them.
     ///
     /// # Errors
-    /// [`Error::Export`], or [`Error::Studio`] if expressions are requested of a mesh without them.
+    /// [`Error::Export`], [`Error::ImageUnits`] for edits in image coordinates in another format than JSON, or
+    /// [`Error::Studio`] if expressions are requested of a mesh without them.
     pub fn write(&mut self, format: Format, options: &FileOptions, name: &str) -> Result<ExportedFile, Error> {
-        if self.units == Units::Image {
-            return Ok(self.image_json().into());
+        match (self.units, format) {
+            (Units::Mm, _) => {}
+            (Units::Image, Format::Json) => return Ok(self.image_json().into()),
+            (Units::Image, _) => return Err(Error::ImageUnits),
         }
         let max_px = options.texture_size.px();
         let texture = options.has_whole_texture(format).then(|| self.texture(max_px).cloned()).transpose()?;
@@ -29,7 +33,7 @@ impl FaceMesh {
     /// # Errors
     /// [`Error::Export`] if the face was built without its pictures.
     pub fn write_project(&self) -> Result<Vec<u8>, Error> {
-        Ok(self.with_source(|source| rosto_export::project::write(&source))?)
+        Ok(project::write(&Source { face: &self.face, edits: &self.saved_edits() })?)
     }
 
     fn write_mesh(
@@ -45,13 +49,11 @@ impl FaceMesh {
             named.map(|(entry, layer)| Morph { name: &entry.label, displacements_m: layer, weight: 1.0 }).collect();
         let positions_image = (options.units == Units::Image).then(|| self.positions_image());
         let positions_image = positions_image.as_deref();
-        let written = self.with_source(|source| {
-            let gltf = gltf(options, &morphs, source);
-            let (rest_m, solid) = (self.document.rest(), options.solid);
-            self.with_model(texture, |model| {
-                format.write(&Content { model, rest_m, gltf, solid, name, positions_image })
-            })
-        });
+        let edits = self.saved_edits();
+        let gltf = gltf(options, &morphs, Source { face: &self.face, edits: &edits });
+        let (rest_m, solid) = (self.document.rest(), options.solid);
+        let written = self
+            .with_model(texture, |model| format.write(&Content { model, rest_m, gltf, solid, name, positions_image }));
         Ok(written?)
     }
 
@@ -78,12 +80,10 @@ impl FaceMesh {
         let morphs: Vec<Morph<'_>> = layers
             .map(|Layer { name, displacements_m, weight }| Morph { name, displacements_m, weight: *weight })
             .collect();
-        let written = self.with_source(|source| {
-            let gltf = gltf(options, &morphs, source);
-            let solid = options.solid;
-            format.write(&Content { model, rest_m: base_m, gltf, solid, name, positions_image: None })
-        });
-        Ok(written?)
+        let edits = self.saved_edits();
+        let gltf = gltf(options, &morphs, Source { face: &self.face, edits: &edits });
+        let solid = options.solid;
+        Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, name, positions_image: None })?)
     }
 
     /// The face in pieces, if the format and options need it.
@@ -110,17 +110,15 @@ impl FaceMesh {
         })
     }
 
-    /// Calls `then` with the data from which a file is reopened.
-    fn with_source<T>(&self, then: impl FnOnce(Source<'_>) -> T) -> T {
+    /// The edits from which a file is reopened.
+    fn saved_edits(&self) -> SavedEdits {
         let entries = self.document.history().entries();
-        let history = (!entries.is_empty()).then(|| project::to_json(entries));
-        then(Source {
-            face: &self.face,
+        SavedEdits {
             triangulation: self.face.triangulation(),
             density: self.document.density(),
-            history: history.as_deref(),
-            photo_edit: self.photo_edit.as_deref(),
-        })
+            history: (!entries.is_empty()).then(|| rosto_studio::project::to_json(entries)),
+            photo_edit: self.photo_edit.clone(),
+        }
     }
 
     /// Calls `then` with the mesh in the form that exporters take.

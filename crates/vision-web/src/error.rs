@@ -68,7 +68,9 @@ pub(crate) fn of_request(error: rosto::Error) -> Error {
         rosto::Error::Reopen(error) if is_another_version(&error) => {
             thrown(ANOTHER_VERSION, &message, ANOTHER_VERSION_HINT)
         }
-        rosto::Error::Face(_) => thrown("bad-face", &message, "Open the photo again."),
+        rosto::Error::Face(_) | rosto::Error::OtherPhoto { .. } => {
+            thrown("bad-face", &message, "Open the photo again.")
+        }
         _ => thrown("bad-history", &message, "Open an earlier copy of the file, or the photo."),
     }
 }

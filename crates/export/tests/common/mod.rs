@@ -5,7 +5,7 @@
 use std::sync::LazyLock;
 
 use glam::DVec2;
-use rosto_export::{BaseColour, GlbOptions, Model, Picture, SavedFace, Source};
+use rosto_export::{BaseColour, GlbOptions, Model, Picture, SavedEdits, SavedFace};
 use rosto_face::{FaceModel, LANDMARK_COUNT, Observation, Photo, PhotoLens, Triangulation, canonical_uvs};
 use serde_json::Value;
 
@@ -57,9 +57,9 @@ pub fn by_photo() -> GlbOptions<'static> {
     GlbOptions { base_colour: BaseColour::Photo, ..GlbOptions::default() }
 }
 
-/// Data for reopening the face.
-pub fn source<'a>(face: &'a FaceModel, history: Option<&'a str>) -> Source<'a> {
-    Source { face, triangulation: face.triangulation(), density: 0, history, photo_edit: None }
+/// Edits with this history, on the landmarks.
+pub fn edits(face: &FaceModel, history: Option<&str>) -> SavedEdits {
+    SavedEdits { history: history.map(str::to_owned), ..SavedEdits::none(face.triangulation(), 0) }
 }
 
 /// A parsed GLB.

@@ -197,7 +197,7 @@ impl OpenFace {
             photos: self.photos().into_iter().map(PhotoState::from).collect(),
             missing_turns: self.missing_turns().into_iter().map(Turn::id).collect(),
             photo_lens: Some(self.model().lens().to_string()),
-            found_lens: Some(self.model().views()[0].observation.found_lens.to_string()),
+            found_lens: Some(self.found_lens().to_string()),
             photo_size_px: Some(self.model().photo_size_px()),
             seen_from_m: self.seen_by().distance_m,
             is_as_taken: photo.seen_from_m().is_none(),

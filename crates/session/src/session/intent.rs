@@ -194,7 +194,8 @@ pub enum Intent {
         #[tsify(type = "string")]
         u32,
     ),
-    /// Sets the lens of the photo, and so its distance: `estimated`, `exif:MM`, `given:MM` or `distance:M`. Rebuilds the model and reapplies the edits.
+    /// Sets the lens of the photo, and so its distance: `estimated`, `exif:MM`, `given:MM` or `distance:M`. Rebuilds
+    /// the model and reapplies the edits.
     PhotoLens(
         #[serde(deserialize_with = "value::lens")]
         #[tsify(type = "string")]

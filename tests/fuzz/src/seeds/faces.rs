@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_export::{BaseColour, GlbOptions, Material, Model, Morph, Source, glb};
+use rosto_export::{BaseColour, GlbOptions, Material, Model, Morph, SavedEdits, Source, glb};
 use rosto_face::{
     FaceModel, LANDMARK_COUNT, Observation, Photo, PhotoLens, Triangulation, canonical_positions_m, canonical_uvs,
 };
@@ -77,7 +77,8 @@ pub fn glbs() -> Vec<Vec<u8>> {
     let written =
         kinds.into_iter().zip(&histories[1..]).map(|((triangulation, base_colour, material, morphs), history)| {
             let face = face(triangulation);
-            let source = Some(source(&face, history));
+            let edits = edits(&face, history);
+            let source = Some(Source { face: &face, edits: &edits });
             let options = GlbOptions { base_colour, material, morphs, source, ..GlbOptions::default() };
             glb(&Model::of_face(&face), &options).expect("invariant: the canonical face can be written")
         });
@@ -87,13 +88,15 @@ pub fn glbs() -> Vec<Vec<u8>> {
 /// Projects with each history.
 pub fn projects() -> Vec<Vec<u8>> {
     let face = face(Triangulation::Tessellation);
-    let projects = histories().into_iter().map(|history| rosto_export::project::write(&source(&face, &history)));
+    let project =
+        |history: String| rosto_export::project::write(&Source { face: &face, edits: &edits(&face, &history) });
+    let projects = histories().into_iter().map(project);
     projects.collect::<Result<_, _>>().expect("invariant: the canonical face can be written")
 }
 
-fn source<'a>(face: &'a FaceModel, history: &'a str) -> Source<'a> {
-    let (triangulation, history, photo_edit) = (face.triangulation(), Some(history), Some(PHOTO_EDIT));
-    Source { face, triangulation, density: 0, history, photo_edit }
+fn edits(face: &FaceModel, history: &str) -> SavedEdits {
+    let [history, photo_edit] = [history, PHOTO_EDIT].map(|text| Some(text.to_owned()));
+    SavedEdits { history, photo_edit, ..SavedEdits::none(face.triangulation(), 0) }
 }
 
 /// The canonical face laid flat over a small picture.
