@@ -31,8 +31,11 @@ impl FaceMesh {
     /// Writes the face with its lossless photo as a project file.
     ///
     /// # Errors
-    /// [`Error::Export`] if the face was built without its pictures.
+    /// [`Error::Export`] if the face was built without its pictures, or [`Error::ImageUnits`].
     pub fn write_project(&self) -> Result<Vec<u8>, Error> {
+        if self.units == Units::Image {
+            return Err(Error::ImageUnits);
+        }
         Ok(project::write(&Source { face: &self.face, edits: &self.saved_edits() })?)
     }
 

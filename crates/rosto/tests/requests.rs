@@ -110,6 +110,16 @@ fn options_without_effect_are_refused() {
     assert_eq!(unedited().check_file(Format::Json, &image, &[ExportOption::Units]), Ok(()));
 }
 
+#[test]
+fn a_face_edited_in_image_coordinates_is_written_as_json_only() {
+    let mut face = MeshRequest { units: Units::Image, ..unedited() }.open().unwrap();
+    for format in Format::ALL {
+        let written = face.write(format, &FileOptions::default(), "face").err();
+        assert_eq!(written, (format != Format::Json).then_some(Error::ImageUnits), "{format:?}");
+    }
+    assert_eq!(face.write_project().err(), Some(Error::ImageUnits));
+}
+
 fn drawn(request: MeshRequest, photo: &Photo, edit: PhotoEdit) -> Result<EditedPhoto, Error> {
     PhotoRequest { photo, mesh: &request.open().unwrap(), falloff_band: 0.35, edit }.image()
 }
