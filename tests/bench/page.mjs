@@ -21,12 +21,13 @@ export async function photosByRosto() {
   const { ms: start_ms, value: vision } = await timed(async () => {
     const { default: init, Vision } = await import("/dist/wasm/rosto-vision-web.js");
     await init();
-    return new Vision(await bytes("/dist/assets/face_detector.onnx"), await bytes("/dist/assets/face_landmarks_attention.onnx"));
+    const vision = new Vision();
+    vision.loadNetworks(await bytes("/dist/assets/face_detector.onnx"), await bytes("/dist/assets/face_landmarks_attention.onnx"));
+    return vision;
   });
   return photos(ROSTO, start_ms, async () => {
-    const found = vision.find(photo, 1, () => {});
-    if (found.faceCount !== 1) throw new Error(`${found.faceCount} faces`);
-    found.free();
+    const { faces } = vision.open("photo", photo, 1, () => {});
+    if (faces.length !== 1) throw new Error(`${faces.length} faces`);
   });
 }
 

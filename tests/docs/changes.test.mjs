@@ -1,4 +1,4 @@
-/** The lists of CONTRIBUTING: how many files a common change touches, and that they exist. */
+/** The lists of CONTRIBUTING: the files to start with for a common change. */
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
@@ -24,7 +24,7 @@ function isThere(path) {
 }
 
 for (const [title, most] of Object.entries(MOST)) {
-  test(`${title} touches at most ${most} files, which exist`, () => {
+  test(`the list for “${title}” has at most ${most} files, which exist`, () => {
     const found = paths(GUIDE, title);
     assert.ok(found.length > 0 && found.length <= most, `${found.length} files`);
     assert.deepEqual(found.filter((path) => !isThere(path)), []);

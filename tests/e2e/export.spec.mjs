@@ -185,14 +185,13 @@ function measuresIn(log) {
 /** Runs in the page: rejects walls thicker than a limit. @param {{ most_mm: number }} limit */
 async function refuseWalls({ most_mm }) {
   const { VisionClient } = await import(new URL("js/photo/vision-client.js", document.baseURI).href);
-  for (const method of ["solidFacts", "write"]) {
-    const call = VisionClient.prototype[method];
-    VisionClient.prototype[method] = function (...values) {
-      const isThick = Number(document.getElementById("solid-mm").value) > most_mm;
-      if (isThick) return Promise.reject({ code: "too-thick", message: "too thick", hint: "", maxMm: most_mm });
-      return call.apply(this, values);
-    };
-  }
+  const { perform } = VisionClient.prototype;
+  VisionClient.prototype.perform = function (task, ...rest) {
+    const isThick = Number(document.getElementById("solid-mm").value) > most_mm;
+    const isBody = ["solid-facts", "write"].includes(task.type);
+    if (isBody && isThick) return Promise.reject({ code: "too-thick", message: "too thick", hint: "", maxMm: most_mm });
+    return perform.call(this, task, ...rest);
+  };
 }
 
 /** Runs in the page before its own scripts: supports share, clipboard and AR, or refuses each. */

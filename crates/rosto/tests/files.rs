@@ -105,6 +105,7 @@ fn the_whole_texture_is_made_once() {
     let mut mesh = unedited().open().unwrap();
     let texture = mesh.texture(1024).unwrap().clone();
     assert_eq!([texture.width(), texture.height()], [1024; 2]);
+    assert_eq!(mesh.into_texture(), Some(texture));
     let marked = Photo::from_rgb(1024, 1024, vec![7; 3 << 20]).unwrap();
     let mut given = unedited().open().unwrap().with_texture(Some(marked.clone()));
     assert_eq!(given.texture(1024).unwrap(), &marked);

@@ -50,7 +50,7 @@ const TAPER: f64 = 0.25;
 
 impl StreamWarp {
     /// Warps the next frame, of `size_px`, so that the vertices move from `places` (px, y down, and metres towards the
-    /// camera) to `targets_px`. `falloff_band` is a share of the face's longer side. Costs two back substitutions per
+    /// camera) to `targets_px`. `falloff_band` is a share of the face's longer side. Costs two solves per
     /// axis. The first frame, and each frame after a large change of the face, also needs a factorisation and calls
     /// `skin` for the triangles.
     ///

@@ -170,14 +170,14 @@ fn the_glb_of_a_request_has_the_librarys_bytes() {
 }
 
 #[wasm_bindgen_test]
-fn a_texture_is_made_once_for_the_same_photos_and_size() {
+fn edits_do_not_change_the_texture() {
     let mut vision = vision();
     let opened = open(&mut vision, PORTRAIT).unwrap();
     let face = face(&opened);
     let mut texture = |edits| pixels(&vision.texture(request(face, edits), "1024").unwrap().into());
     let first = texture(None);
     assert_eq!((first.0, first.1), (1024, 1024));
-    assert_eq!(texture(Some(EDITS)), first, "edits do not change it");
+    assert_eq!(texture(Some(EDITS)), first);
 }
 
 #[wasm_bindgen_test]

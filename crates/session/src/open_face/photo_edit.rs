@@ -85,7 +85,7 @@ impl OpenFace {
         self.photo.seen_from_m.map_or(*self.model.camera(), |distance_m| self.model.seen_from(distance_m))
     }
 
-    /// Updates the photo's warp to the current edits: one back substitution per axis. The first update, and one after a
+    /// Updates the photo's warp to the current edits: one solve per axis. The first update, and one after a
     /// change of the mesh, the falloff band or the strokes, needs a factorisation.
     pub fn update_photo_warp(&mut self) {
         if std::mem::take(&mut self.photo.is_stale) {
