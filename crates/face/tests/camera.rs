@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod common;
+
+use common::observed;
 use glam::{DQuat, DVec2, DVec3};
 use proptest::prelude::*;
 use rosto_face::*;
@@ -57,15 +60,7 @@ fn landmarks(head: &[DVec3], scene: Scene) -> Vec<[f32; 3]> {
 }
 
 fn model(landmarks: &[[f32; 3]], lens: PhotoLens) -> FaceModel {
-    let observation = Observation {
-        landmarks: landmarks.to_vec(),
-        photo_size_px: SIZE_PX,
-        colours_srgb: vec![[1, 2, 3]; LANDMARK_COUNT],
-        found_lens: lens,
-        lens,
-        picture: None,
-    };
-    FaceModel::new(observation, Triangulation::Canonical).unwrap()
+    FaceModel::new(observed(landmarks, SIZE_PX, lens), Triangulation::Canonical).unwrap()
 }
 
 fn furthest_m(a: &[DVec3], b: &[DVec3]) -> f64 {

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod common;
+
+use common::observed;
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use rosto_face::*;
@@ -28,15 +31,7 @@ fn portrait() -> Portrait {
 }
 
 fn model(landmarks: &[[f32; 3]], width: u32, height: u32) -> Result<FaceModel, FaceError> {
-    let observation = Observation {
-        landmarks: landmarks.to_vec(),
-        photo_size_px: [width, height],
-        colours_srgb: vec![[1, 2, 3]; landmarks.len()],
-        found_lens: PhotoLens::Estimated,
-        lens: PhotoLens::Parallel,
-        picture: Some(Photo::from_rgb(1, 1, vec![9, 9, 9]).unwrap()),
-    };
-    FaceModel::new(observation, Triangulation::Canonical)
+    FaceModel::new(observed(landmarks, [width, height], PhotoLens::Parallel), Triangulation::Canonical)
 }
 
 /// Transforms the portrait's landmarks in px.

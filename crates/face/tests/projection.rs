@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod common;
+
+use common::observed;
 use glam::{DQuat, DVec2, DVec3};
 use rosto_face::*;
 
@@ -30,15 +33,7 @@ fn landmarks() -> Vec<[f32; 3]> {
 }
 
 fn model(lens: PhotoLens) -> FaceModel {
-    let observation = Observation {
-        landmarks: landmarks(),
-        photo_size_px: SIZE_PX,
-        colours_srgb: vec![[1, 2, 3]; LANDMARK_COUNT],
-        found_lens: lens,
-        lens,
-        picture: None,
-    };
-    FaceModel::new(observation, Triangulation::Canonical).unwrap()
+    FaceModel::new(observed(&landmarks(), SIZE_PX, lens), Triangulation::Canonical).unwrap()
 }
 
 /// Offsets from the face's centre in the camera's frame, within and around the face.

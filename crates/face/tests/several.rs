@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod common;
+
+use common::observed;
 use glam::{DQuat, DVec2, DVec3};
 use proptest::prelude::*;
 use rosto_face::*;
@@ -74,19 +77,11 @@ fn lens() -> PhotoLens {
     PhotoLens::Given(FOCAL_PX * 36_f64.hypot(24.0) / f64::from(SIZE_PX[0]).hypot(f64::from(SIZE_PX[1])))
 }
 
-fn observed(landmarks: &[[f32; 3]], lens: PhotoLens) -> Observation {
-    Observation {
-        landmarks: landmarks.to_vec(),
-        photo_size_px: SIZE_PX,
-        colours_srgb: vec![[1, 2, 3]; LANDMARK_COUNT],
-        found_lens: lens,
-        lens,
-        picture: None,
-    }
-}
-
 fn several(photos: &[Vec<[f32; 3]>], lens: PhotoLens) -> Result<FaceModel, FaceError> {
-    FaceModel::from_photos(photos.iter().map(|photo| observed(photo, lens)).collect(), Triangulation::Canonical)
+    FaceModel::from_photos(
+        photos.iter().map(|photo| observed(photo, SIZE_PX, lens)).collect(),
+        Triangulation::Canonical,
+    )
 }
 
 /// Landmarks in several photos of a head; the least turned photo leads.
@@ -195,7 +190,7 @@ proptest! {
 fn a_single_photo_gives_the_same_model_as_new() {
     let photo = landmarks(&head(5.0), turned(8.0));
     let together = several(std::slice::from_ref(&photo), PhotoLens::Estimated).unwrap();
-    let alone = FaceModel::new(observed(&photo, PhotoLens::Estimated), Triangulation::Canonical).unwrap();
+    let alone = FaceModel::new(observed(&photo, SIZE_PX, PhotoLens::Estimated), Triangulation::Canonical).unwrap();
     assert_eq!((together.positions_m(), together.camera()), (alone.positions_m(), alone.camera()));
     assert_eq!(together.views().len(), 1);
     assert!(together.left_out().unwrap().is_empty());
@@ -245,7 +240,7 @@ fn adding_and_removing_photos_equals_a_joint_fit() {
         assert_eq!(cameras(one), cameras(other));
     };
     let all = several(&shown, lens()).unwrap();
-    let last = observed(&shown[2], lens());
+    let last = observed(&shown[2], SIZE_PX, lens());
     same(&several(&shown[..2], lens()).unwrap().with_photo(last).unwrap(), &all);
     same(&all.without_photo(2).unwrap(), &several(&shown[..2], lens()).unwrap());
     same(&all.without_photo(1).unwrap(), &several(&[shown[0].clone(), shown[2].clone()], lens()).unwrap());
