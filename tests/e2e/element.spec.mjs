@@ -92,6 +92,24 @@ test("the element reports files it cannot open by event and notice, and opens th
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
+test("of two photos the element shows the one requested last, even if the other arrives later", async ({ openElement }) => {
+  const visitor = await openElement({ body: "<rosto-studio></rosto-studio>" });
+  const { page } = visitor;
+  let deliver = () => {};
+  const held = new Promise((resolve) => (deliver = () => resolve(undefined)));
+  await page.route("**/late.png", async (route) => {
+    await held;
+    const response = await route.fetch({ url: new URL("portrait.png", route.request().url()).href });
+    await route.fulfill({ response });
+  });
+  const late = visitor.act((face) => face.open("late.png"));
+  await page.waitForRequest("**/late.png");
+  await visitor.act((face) => face.open("portrait.png"));
+  deliver();
+  await late;
+  assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face"]);
+});
+
 test("two elements share a page and its worker under a strict policy, and free everything when removed", async ({ openElement }) => {
   const body = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
   const visitor = await openElement({ body, policy: POLICY });

@@ -50,10 +50,11 @@ test("a textured OBJ includes its material and texture; 3MF and USDZ are single 
 
 test("the panel shows the GLB's name, content, size and verdict until the face changes", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.untilLoaded();
-  await editor.move("nose tip", "z", 5);
   await editor.unfold("section-export");
   const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
   assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a texture of 1024 × 1024 px."]);
+  await editor.move("nose tip", "z", 5);
+  await editor.unfold("section-export");
   await page.selectOption("#texture-size", "1024");
   await page.selectOption("#export-density", "1");
   assert.deepEqual(await facts(), ["portrait-1833.glb", "GLB: 1,833 points, 3,592 triangles, a texture of 1024 × 1024 px."]);

@@ -2,7 +2,6 @@ import { make } from "../js/page/dom.js";
 import { Opening } from "../js/opening.js";
 import { Host } from "../js/viewport/host.js";
 import { LandmarkMarks } from "../js/viewport/landmark-marks.js";
-import { isTrap } from "../js/viewport/studio-module.js";
 import { setUpViewKeys } from "../js/viewport/shortcuts.js";
 import { WholeTexture } from "../js/viewport/whole-texture.js";
 import { FaceFiles } from "../js/work/face-files.js";
@@ -15,6 +14,7 @@ import { borrowVision, returnVision } from "./shared-vision.js";
  *
  * @typedef {object} Listeners
  * @property {(stage: Stage | "loading", fraction: number) => void} progress
+ * @property {() => void} ended the progress is over
  * @property {() => void} face another face is shown
  * @property {() => void} change the edits have changed
  * @property {() => void} announce any state has changed
@@ -23,7 +23,7 @@ import { borrowVision, returnVision } from "./shared-vision.js";
  */
 
 /** @type {Listeners} */
-const NO_LISTENERS = { progress: () => {}, face: () => {}, change: () => {}, announce: () => {}, error: (thrown) => console.error(thrown), settled: () => {} };
+const NO_LISTENERS = { progress: () => {}, ended: () => {}, face: () => {}, change: () => {}, announce: () => {}, error: (thrown) => console.error(thrown), settled: () => {} };
 
 /** A face on a canvas with gestures and keys, without the page's interface. */
 export class FaceSession {
@@ -64,6 +64,7 @@ export class FaceSession {
       failed: (error) => {
         throw error;
       },
+      ended: (isNewest) => isNewest && listeners.ended(),
     });
     this.#files = new FaceFiles(host, vision, this.#opening);
     new LandmarkMarks(host, { tag });
@@ -85,7 +86,7 @@ export class FaceSession {
   /**
    * Opens a photo, GLB or project. A newer call cancels the pending one, which then resolves without effect.
    *
-   * @param {Blob} file
+   * @param {Blob | Promise<Blob>} file
    */
   open(file) {
     return this.#opening.openFile(file);
@@ -108,12 +109,7 @@ export class FaceSession {
    * @param {import("../js/viewport/host.js").Intent} intent
    */
   apply(intent) {
-    try {
-      return this.host.attempt(intent);
-    } catch (error) {
-      if (isTrap(error)) this.host.fail(error);
-      throw error;
-    }
+    return this.host.attempt(intent);
   }
 
   /**

@@ -101,7 +101,7 @@ export class RostoStudio extends HTMLElement {
     file.catch(() => {});
     const session = await this.#ready();
     try {
-      await session.open(await file);
+      await session.open(file);
     } catch (error) {
       if (this.#teardown.signal.aborted) return;
       throw this.#fail(error);
@@ -214,6 +214,7 @@ export class RostoStudio extends HTMLElement {
     stage.addTools((tool) => this.#use(tool), signal);
     const session = await FaceSession.open(stage.canvas, {
       progress: (step, fraction) => stage.showProgress(step, fraction),
+      ended: () => stage.hideProgress(),
       face: () => this.#showFace(),
       change: () => this.#change(),
       announce: () => this.#reflectState(),

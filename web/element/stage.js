@@ -75,7 +75,7 @@ export class Stage {
   /** Shows the canvas in place of the photo. */
   showFace() {
     this.#root.dataset["state"] = "face";
-    this.#progress.hidden = true;
+    this.hideProgress();
     this.hideNotice();
   }
 
@@ -94,6 +94,10 @@ export class Stage {
     else this.#bar.value = fraction;
   }
 
+  hideProgress() {
+    this.#progress.hidden = true;
+  }
+
   /**
    * Shows an error.
    *
@@ -102,7 +106,7 @@ export class Stage {
    */
   showNotice({ code, message }, owner) {
     this.#noticeOwner = owner;
-    this.#progress.hidden = true;
+    this.hideProgress();
     this.#notice.hidden = false;
     this.#notice.textContent = wordsFor(code) || message;
   }

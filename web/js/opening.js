@@ -22,13 +22,13 @@ import { shownBefore } from "./work/recent-faces.js";
  * @property {boolean} [ofThisVisit] the photo was open before
  *
  * @typedef {ShownFace & Loaded} Incoming a face ready to be opened
- * @typedef {{ show: () => void, discard: () => void }} Prepared
+ * @typedef {{ show: () => void, discard: () => void }} Display
  * @typedef {ShownFace & { host?: Host, instance?: object }} Current `instance`: the studio that shows the face
  *
  * @typedef {object} Listeners
  * @property {() => void} begun a request has begun
  * @property {(stage: Stage | "loading", fraction: number) => void} progress
- * @property {(shown: ShownFace, picture: ImageBitmap) => Promise<Prepared>} prepare prepares the display of the lead
+ * @property {(shown: ShownFace, picture: ImageBitmap) => Promise<Display>} prepare prepares the display of the lead
  *   photo; the last step that can fail before the face opens
  * @property {() => void} leaving another face is about to replace the current one
  * @property {(face: Face) => void} started the studio shows this face
@@ -37,7 +37,7 @@ import { shownBefore } from "./work/recent-faces.js";
  * @property {(name: string, error: unknown) => void} notAdded
  * @property {(name: string) => void} addedLittle
  * @property {(error: unknown) => void} failed after a trap too
- * @property {(isNewest: boolean) => void} ended a request has ended, unless a newer one has begun
+ * @property {(isNewest: boolean) => void} ended a request has ended; `isNewest`: no newer one has begun
  */
 
 /** @type {Listeners} */
@@ -48,10 +48,10 @@ const NO_LISTENERS = {
 };
 
 /** Saved files, which open without face detection. */
-const SAVED = /\.(glb|rosto)$/i;
+const SAVED_NAME = /\.(glb|rosto)$/i;
 
 /** Errors that do not depend on the file. */
-const OF_WORKER = new Set(["worker-died", "not-loaded", "not-as-built"]);
+const WORKER_CODES = new Set(["worker-died", "not-loaded", "not-as-built"]);
 
 /** Rejection reason when a newer request supersedes this one. */
 export class Replaced extends Error {}
@@ -155,7 +155,7 @@ export class Opening {
         return { ...(await this.#withBitmaps({ face, faces: [face] })), ...(face.preferences && { preferences: face.preferences }) };
       } catch (error) {
         const { code, message } = asPageError(error);
-        throw OF_WORKER.has(code) ? error : { code: "bad-kept-work", message, hint: "" };
+        throw WORKER_CODES.has(code) ? error : { code: "bad-kept-work", message, hint: "" };
       }
     });
   }
@@ -170,7 +170,7 @@ export class Opening {
       for (const file of files) {
         if (!isWanted()) return;
         await this.#addPhoto(file, isWanted).catch((error) => {
-          if (isTrap(error) || error instanceof Replaced) throw error;
+          if (isTrap(error) || !isWanted()) throw error;
           this.#listeners.notAdded(file.name, error);
         });
       }
@@ -211,14 +211,16 @@ export class Opening {
   async #restore() {
     const { face, faces } = this.#current ?? {};
     if (!face || !faces) return;
-    const isWanted = this.#ticket();
-    const restored = this.#enqueue(async () => {
-      const incoming = await this.#withBitmaps({ face, faces });
-      await this.#install({ ...incoming, ...(face.preferences && { preferences: face.preferences }) }, isWanted);
-    });
-    await restored.catch((error) => {
-      if (!(error instanceof Replaced)) throw error;
-    });
+    this.cancel();
+    try {
+      await this.#enqueue(async () => {
+        const incoming = await this.#withBitmaps({ face, faces });
+        // A later request follows in the queue and may fail, so this one is not cancelled.
+        await this.#install({ ...incoming, ...(face.preferences && { preferences: face.preferences }) }, () => true);
+      });
+    } finally {
+      this.#listeners.ended(true);
+    }
   }
 
   #ticket() {
@@ -246,7 +248,6 @@ export class Opening {
     try {
       await act(isWanted);
     } catch (error) {
-      if (isTrap(error)) (await this.#host)?.fail(error);
       if (isWanted() && !(error instanceof Replaced)) this.#listeners.failed(error);
     } finally {
       this.#listeners.ended(isWanted());
@@ -275,19 +276,20 @@ export class Opening {
    * @returns {Promise<Incoming>}
    */
   async #read(file, isWanted, name) {
-    if (!(file instanceof File && SAVED.test(file.name))) this.#listeners.progress("loading", 0);
+    if (!(file instanceof File && SAVED_NAME.test(file.name))) this.#listeners.progress("loading", 0);
     // Measure from the first progress report, so that loading the worker does not count.
     let begun_ms = NaN;
     const read = await this.#vision.open(file, (stage, fraction) => {
       if (Number.isNaN(begun_ms)) begun_ms = performance.now();
       if (isWanted()) this.#listeners.progress(stage, fraction);
     });
-    const { bitmaps, opened: { changedElsewhere, faces: [found] } } = read;
+    const { bitmaps, opened: { kind, changedElsewhere, faces: [found] } } = read;
     const defaultDensity = (await this.#host)?.catalogue.defaultDensity;
     const faces = facesOf(read, name ?? nameIn(file, found?.edits, defaultDensity));
     const [face] = faces;
     if (!found || !face) throw noFace();
-    const facts = Number.isNaN(begun_ms) ? {} : { extraction_ms: performance.now() - begun_ms };
+    const isMeasured = kind === "photo" && !Number.isNaN(begun_ms);
+    const facts = isMeasured ? { extraction_ms: performance.now() - begun_ms } : {};
     return { face, faces, bitmaps, changedElsewhere, isDoubtful: found.isDoubtful, ...facts };
   }
 
@@ -315,7 +317,10 @@ export class Opening {
       closeAll(bitmaps);
       throw new Replaced();
     }
-    const prepared = await this.#listeners.prepare({ face, faces }, picture);
+    const prepared = await this.#listeners.prepare({ face, faces }, picture).catch((error) => {
+      closeAll(bitmaps);
+      throw error;
+    });
     try {
       if (host) await this.#show(host, { face, faces, bitmaps }, isWanted);
       else if (!isWanted()) throw new Replaced();
@@ -362,7 +367,8 @@ export class Opening {
   }
 
   /**
-   * Passes pictures to the studio, which then owns them. Throws `Replaced` if the request was cancelled.
+   * Passes pictures to the studio, which then owns them, and closes the others. Throws `Replaced` if the request was
+   * cancelled.
    *
    * @param {Host} host
    * @param {string[]} pictures
@@ -370,12 +376,18 @@ export class Opening {
    * @param {() => boolean} isWanted
    */
   async #addPictures(host, pictures, bitmaps, isWanted) {
-    for (const [index, bitmap] of bitmaps.entries()) {
+    const left = [...bitmaps];
+    try {
+      for (const [index, bitmap] of bitmaps.entries()) {
+        if (!isWanted()) throw new Replaced();
+        host.answer((studio) => studio.addPicture(pictures[index] ?? "", bitmap));
+        left.shift();
+        await nextTask();
+      }
       if (!isWanted()) throw new Replaced();
-      host.answer((studio) => studio.addPicture(pictures[index] ?? "", bitmap));
-      await nextTask();
+    } finally {
+      closeAll(left);
     }
-    if (!isWanted()) throw new Replaced();
   }
 
   /**
@@ -387,7 +399,10 @@ export class Opening {
     const max = host?.catalogue.maxPhotos ?? 1;
     if (this.face && this.face.pictures.length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
     const { face, bitmaps } = await this.#read(file, isWanted);
-    if (face.files[0]?.kind === "saved") throw { code: "not-a-picture", message: "a saved face", hint: "" };
+    if (face.files[0]?.kind === "saved") {
+      closeAll(bitmaps);
+      throw { code: "not-a-picture", message: "a saved face", hint: "" };
+    }
     await this.#enqueue(() => this.#addFound(face, bitmaps, isWanted));
     if (host?.read(({ photos }) => photos.at(-1)?.adds) === false) this.#listeners.addedLittle(file.name);
   }
@@ -401,7 +416,7 @@ export class Opening {
    */
   async #addFound({ photos, pictures: [picture = ""], files }, bitmaps, isWanted) {
     const { face, host } = this.#current ?? {};
-    if (!face || !host || face.pictures.includes(picture)) return;
+    if (!face || !host || face.pictures.includes(picture)) return closeAll(bitmaps);
     await this.#addPictures(host, [picture], bitmaps, isWanted);
     await this.#changePhotos((studio) => studio.addPhoto(photos, picture), files);
   }
@@ -429,13 +444,17 @@ export class Opening {
     const { faces } = this.#current;
     this.#listeners.photosChanged({ face, faces });
     if (isSameLead || lead === undefined) return;
+    /** @type {ImageBitmap[]} */
+    let bitmaps = [];
     try {
-      const [bitmap] = await this.#bitmapsOf(photoOf(face, lead));
+      bitmaps = await this.#bitmapsOf(photoOf(face, lead));
+      const [bitmap] = bitmaps;
       if (bitmap) (await this.#listeners.prepare({ face, faces }, bitmap)).show();
-      bitmap?.close();
     } catch (error) {
       // The face itself has changed; only the display of its photo failed.
       this.#listeners.failed({ code: "photo-not-shown", message: String(error), hint: "" });
+    } finally {
+      closeAll(bitmaps);
     }
   }
 }

@@ -1,6 +1,6 @@
 use glam::{DMat3, DVec2, DVec3};
 use rosto_export::{SavedEdits, SavedFace, Solid, SolidFacts, Units};
-use rosto_face::{FaceModel, Photo, Triangulation};
+use rosto_face::{FaceModel, Photo, Triangulation, View};
 use rosto_studio::{Document, Rest, SMOOTH_DENSITY, project, texture_side_px, whole_texture};
 
 use crate::{Error, FileOptions, Format};
@@ -89,7 +89,9 @@ impl FaceMesh {
     /// # Errors
     /// [`Error::Studio`] if the face was built without its pictures.
     pub fn texture(&mut self, at_most_px: u32) -> Result<&Photo, Error> {
-        let side_px = texture_side_px(&self.face, at_most_px);
+        let size_px =
+            |view: &View| view.observation.picture.as_ref().map(|picture| [picture.width(), picture.height()]);
+        let side_px = texture_side_px(&self.face, size_px, at_most_px);
         let texture = match self.texture.take().filter(|texture| texture.width() == side_px) {
             Some(texture) => texture,
             None => whole_texture(&self.face, side_px)?.picture,

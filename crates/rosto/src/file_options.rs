@@ -86,7 +86,7 @@ impl FileOptions {
     }
 
     /// Whether a format's files contain eyes and mouth as separate pieces.
-    pub(crate) fn has_pieces(&self, format: Format) -> bool {
+    pub fn has_pieces(&self, format: Format) -> bool {
         let are_eyes_pieces = format.supports(ExportOption::Eyes) && self.eyes == Eyes::Pieces;
         are_eyes_pieces || self.has_expression_targets(format)
     }

@@ -1,4 +1,4 @@
-use rosto_export::Eyes;
+use rosto::{ExpressionsAs, Eyes, FileOptions, Format};
 use rosto_stage::Background;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
@@ -11,14 +11,19 @@ use crate::snapshot::Snapshot;
 /// Facts for files, and pictures of the view.
 #[wasm_bindgen]
 impl Studio {
-    /// Numbers of points and triangles of the mesh, for a value of the file option "eyes": "skin" or "pieces".
+    /// Numbers of points and triangles of the mesh in a GLB, for values of the file options "eyes" and "expressions".
     ///
     /// # Errors
     /// `no-face` or `bad-choice`.
     #[wasm_bindgen(js_name = meshCounts)]
-    pub fn mesh_counts(&self, eyes: &str) -> Result<Vec<u32>, JsValue> {
-        let eyes = FacadeError::require(Eyes::from_id(eyes))?;
-        Ok(self.face()?.mesh_counts(eyes).map(|count| count as u32).to_vec())
+    pub fn mesh_counts(&self, eyes: &str, expressions: &str) -> Result<Vec<u32>, JsValue> {
+        let options = FileOptions {
+            eyes: FacadeError::require(Eyes::from_id(eyes))?,
+            expressions: FacadeError::require(ExpressionsAs::from_id(expressions))?,
+            ..FileOptions::default()
+        };
+        let has_pieces = options.has_pieces(Format::Glb);
+        Ok(self.face()?.mesh_counts(has_pieces).map(|count| count as u32).to_vec())
     }
 
     /// Renders a picture of the view in any size, without marks and tools, optionally with a transparent background.

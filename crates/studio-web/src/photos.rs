@@ -4,26 +4,28 @@ use tsify::Ts;
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::error::FacadeError;
+use crate::error::{FacadeError, Result};
 use crate::sent::sent;
 
 /// Several photos of one face.
 #[wasm_bindgen]
 impl Studio {
     /// Adds a photo to the open face: the text of one photo, as of the worker's `open`, and the key of its added
-    /// picture. The edits are reapplied.
+    /// picture, which is dropped if the photo is refused. The edits are reapplied.
     ///
     /// # Errors
     /// `bad-face`, `another-face`, `too-many-photos` or `other-version`.
     #[wasm_bindgen(js_name = addPhoto)]
     pub fn add_photo(&mut self, photos: &str, picture: String) -> Result<Ts<Changed>, JsValue> {
-        let saved = SavedFace::from_json(photos, None).map_err(FacadeError::of_saved)?;
-        self.pictures.require(&picture)?;
-        let [photo] = <[_; 1]>::try_from(saved.photos).map_err(|_| FacadeError::no_picture())?;
-        let changed = self.session.apply(Intent::AddPhoto(Box::new(photo))).map_err(FacadeError::from)?;
-        self.pictures.add_to_face(picture);
-        self.show_soon(changed);
-        Ok(sent(&changed)?)
+        let added = self.added(photos, &picture);
+        match &added {
+            Ok(changed) => {
+                self.pictures.add_to_face(picture);
+                self.show_soon(*changed);
+            }
+            Err(_) => self.pictures.discard(&picture),
+        }
+        Ok(sent(&added?)?)
     }
 
     /// Removes a photo of the open face, by its index in the state's `photos`; the edits are reapplied.
@@ -37,5 +39,14 @@ impl Studio {
         self.pictures.remove_from_face(photo);
         self.show_soon(changed);
         Ok(sent(&changed)?)
+    }
+}
+
+impl Studio {
+    fn added(&mut self, photos: &str, picture: &str) -> Result<Changed> {
+        let saved = SavedFace::from_json(photos, None).map_err(FacadeError::of_saved)?;
+        self.pictures.require(picture)?;
+        let [photo] = <[_; 1]>::try_from(saved.photos).map_err(|_| FacadeError::no_picture())?;
+        Ok(self.session.apply(Intent::AddPhoto(Box::new(photo)))?)
     }
 }

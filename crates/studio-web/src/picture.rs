@@ -23,6 +23,11 @@ impl OpenPicture {
         self.bitmap.width()
     }
 
+    /// Height in px.
+    fn height(&self) -> u32 {
+        self.bitmap.height()
+    }
+
     /// Texture of the picture on another GPU.
     fn on(&self, viewport: &Viewport) -> Result<PictureOnGpu> {
         uploaded(&self.bitmap, viewport)
@@ -82,6 +87,16 @@ impl Pictures {
     /// The picture of the open face's lead photo.
     pub fn lead(&self, session: &Session) -> Option<&OpenPicture> {
         self.find(self.of_face.get(session.face()?.lead_photo())?)
+    }
+
+    /// Width and height in px of the picture of one of the open face's photos.
+    pub fn size_px(&self, photo: usize) -> Option<[u32; 2]> {
+        self.find(self.of_face.get(photo)?).map(|picture| [picture.width(), picture.height()])
+    }
+
+    /// Drops a picture, unless the open face has it.
+    pub fn discard(&mut self, key: &str) {
+        self.all.retain(|(other, _)| other != key || self.of_face.contains(other));
     }
 
     /// Uploads all pictures to another GPU, or keeps the previous ones if one cannot be uploaded.

@@ -1,4 +1,5 @@
 use rosto_session::Changed;
+use rosto_studio::texture_side_px;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
 use web_sys::ImageBitmap;
@@ -10,10 +11,11 @@ use crate::sent::sent;
 /// The whole-face texture. The worker bakes it, which takes longer than a frame.
 #[wasm_bindgen]
 impl Studio {
-    /// Side in px of the texture that was shown last; undefined before the first.
+    /// Side in px of the open face's texture at the selected size; undefined without a face.
     #[wasm_bindgen(getter, js_name = textureSidePx)]
     pub fn texture_side_px(&self) -> Option<u32> {
-        self.pictures.texture.as_ref().map(OpenPicture::width)
+        let (face, at_most_px) = (self.session.face()?, self.session.view().texture_size.px());
+        Some(texture_side_px(face.model(), |view| self.pictures.size_px(view.photo), at_most_px))
     }
 
     /// Number of the texture that the open face needs; undefined if it is shown. It changes with the photos, their

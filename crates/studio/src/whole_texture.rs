@@ -1,6 +1,7 @@
 use glam::{DVec2, DVec3};
 use rosto_face::{
-    Camera, FaceModel, LANDMARK_COUNT, Photo, Region, Triangulation, canonical_uvs, crowded_landmarks, opening_edges,
+    Camera, FaceModel, LANDMARK_COUNT, Photo, Region, Triangulation, View, canonical_uvs, crowded_landmarks,
+    opening_edges,
 };
 use rosto_mesh::{LoopSubdivision, Topology, Value};
 use rosto_texture::{Eye, Shot, Subject, Texture, texture};
@@ -60,17 +61,18 @@ fn rounded_uvs(uvs: Vec<DVec2>) -> Vec<DVec2> {
 }
 
 /// Side length of a face's texture in px: the power of two that holds the detail of the face's sharpest photo, at most
-/// `at_most_px`. A longer side would cost time and memory without adding detail.
-pub fn texture_side_px(face: &FaceModel, at_most_px: u32) -> u32 {
-    let pictures = face.views().iter().filter_map(|view| Some((view.observation.picture.as_ref()?, &view.uvs)));
-    let sharpest = pictures.map(|(picture, uvs)| pixels_per_side(picture, uvs)).fold(0.0, f64::max);
+/// `at_most_px`. `size_px` returns width and height of a photo's picture, if there is one. A longer side would cost time
+/// and memory without adding detail.
+pub fn texture_side_px(face: &FaceModel, size_px: impl Fn(&View) -> Option<[u32; 2]>, at_most_px: u32) -> u32 {
+    let pictures = face.views().iter().filter_map(|view| Some(pixels_per_side(size_px(view)?, &view.uvs)));
+    let sharpest = pictures.fold(0.0, f64::max);
     let filled_px = (TEXELS_PER_PIXEL * sharpest).ceil() as u32;
     filled_px.checked_next_power_of_two().unwrap_or(at_most_px).clamp(SHORTEST_SIDE_PX.min(at_most_px), at_most_px)
 }
 
 /// Number of photo pixels along the side of a unit texture, from the areas of the visible triangles.
-fn pixels_per_side(picture: &Photo, uvs: &[DVec2]) -> f64 {
-    let size_px = DVec2::new(picture.width().into(), picture.height().into());
+fn pixels_per_side(size_px: [u32; 2], uvs: &[DVec2]) -> f64 {
+    let size_px = DVec2::from(size_px.map(f64::from));
     let in_photo: Vec<DVec2> = uvs.iter().map(|uv| uv * size_px).collect();
     let in_texture = canonical_uvs();
     let triangles = Triangulation::Canonical.triangles();

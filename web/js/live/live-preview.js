@@ -185,7 +185,7 @@ class LivePreview {
     const opened = this.#opened;
     this.#isReading = true;
     try {
-      const photo = await photoOf(frame);
+      const photo = await pngOf(frame);
       if (this.#state !== "live" || opened !== this.#opened) return;
       await this.#opening.openFile(photo, "selfie");
       // The error is already shown.
@@ -203,7 +203,7 @@ class LivePreview {
     const edits = this.#edits();
     this.#isReading = true;
     try {
-      const photo = await photoOf(frame);
+      const photo = await pngOf(frame);
       if (this.#state !== "live" || opened !== this.#opened) return;
       this.#sceneBefore = document.body.dataset["scene"] ?? "solid";
       this.close();
@@ -244,7 +244,7 @@ class LivePreview {
  *
  * @param {ImageBitmap} frame
  */
-function photoOf(frame) {
+function pngOf(frame) {
   const canvas = new OffscreenCanvas(frame.width, frame.height);
   canvas.getContext("2d", { alpha: false })?.drawImage(frame, 0, 0);
   return canvas.convertToBlob({ type: "image/png" });

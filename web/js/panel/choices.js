@@ -24,7 +24,7 @@ export function setUpChoices(host) {
     element.addEventListener("change", async () => {
       const id = control.chosen();
       if (isSlow(choice, id)) await announcePreparing();
-      host.apply(choosing(choice, id));
+      host.apply(choiceIntent(choice, id));
       explain();
     });
     host.onChange((state) => {
@@ -44,7 +44,7 @@ export function setUpChoices(host) {
  * @param {string} choice
  * @param {string} id
  */
-function choosing(choice, id) {
+function choiceIntent(choice, id) {
   return /** @type {import("../viewport/host.js").Intent} */ ({ [choice]: id });
 }
 

@@ -14,6 +14,8 @@ export class ExportFacts {
   #nameOf;
   /** Size of the current file, if it has been made. @type {number | undefined} */
   #bytes;
+  /** Number of changes so far. */
+  #changes = 0;
 
   /**
    * @param {Host} host
@@ -27,19 +29,25 @@ export class ExportFacts {
     onLocaleChange(() => this.#write());
   }
 
-  /** @param {Blob} file just made */
-  setFile(file) {
-    this.#bytes = file.size;
-    this.#write();
+  /** A file is being made. Returns a function that shows its size, unless the face or the options have changed. */
+  begin() {
+    const changes = this.#changes;
+    return (/** @type {number} */ bytes) => {
+      if (changes !== this.#changes) return;
+      this.#bytes = bytes;
+      this.#write();
+    };
   }
 
   #clear() {
+    this.#changes += 1;
     this.#bytes = undefined;
     this.#write();
   }
 
   #write() {
-    const counts = this.#host.read((state, studio) => (state.vertexCount > 0 ? studio.meshCounts(fileChoices()["eyes"] ?? "skin") : undefined));
+    const { eyes = "skin", expressions = "shape" } = fileChoices();
+    const counts = this.#host.read((state, studio) => (state.vertexCount > 0 ? studio.meshCounts(eyes, expressions) : undefined));
     if (!counts) return;
     const [points = 0, triangles = 0] = counts;
     byId("export-name", HTMLSpanElement).textContent = this.#nameOf(FORMAT);
@@ -51,7 +59,7 @@ export class ExportFacts {
   /** Describes the texture or vertex colours of the file. */
   #paint() {
     const most = this.#host.read((state) => state.chosen["texture-size"]) ?? "";
-    const side = this.#host.read((_, studio) => studio.textureSidePx) ?? "";
+    const side = this.#host.ask((studio) => studio.textureSidePx) ?? "";
     const key = /** @type {const} */ ({ whole: "export.paint.whole", photo: "export.paint.photo", colours: "export.paint.colours" });
     return t(key[/** @type {keyof typeof key} */ (chosen("base-colour"))], { side: String(side), most });
   }

@@ -18,8 +18,6 @@ import { VerdictLine } from "./verdict-line.js";
  * @typedef {(format: string) => Promise<File>} MakeFile
  */
 
-const GLB_TYPE = "model/gltf-binary";
-
 /**
  * Sets up the export tab: mesh files, printing, AR, projects and pictures.
  *
@@ -33,19 +31,22 @@ export function setUpExportPanel(host, opening, validator, files) {
   const { formats } = host.catalogue;
   const plain = formats.filter(({ isPlain }) => isPlain).map(({ id }) => id);
   const printed = formats.filter(({ isPrinted }) => isPrinted).map(({ id }) => id);
-  const nameOf = (/** @type {string} */ extension) => meshName(host, opening, extension);
+  const naming = () => meshNaming(host, opening);
   const makeFile = async (/** @type {string} */ format) => {
-    const chosen = printed.includes(format) ? printChoices() : fileChoices();
+    const [chosen, nameOf] = [printed.includes(format) ? printChoices() : fileChoices(), naming()];
     const { bytes, extension, mediaType } = await files.mesh(format, chosen);
     return new File([bytes], nameOf(extension), { type: mediaType });
   };
   const saveAs = (/** @type {string} */ format) => makeFile(format).then(saveFile);
-  offerGlb({ host, validator, makeFile, nameOf });
+  offerGlb({ host, validator, makeFile, nameOf: (extension) => naming()(extension) });
   offerFormats("plain", plain, (format) => saveAs(format).catch(showError));
   const print = new PrintPanel(host, files);
   offerFormats("printed", printed, (format) => saveAs(format).catch((error) => print.showError(error)));
   setUpArLink(() => makeFile("usdz"), showError);
-  const makeProject = async () => new File([await files.project()], fileName(opening.face, "rosto"), { type: "application/octet-stream" });
+  const makeProject = async () => {
+    const name = fileName(opening.face, "rosto");
+    return new File([await files.project()], name, { type: "application/octet-stream" });
+  };
   onAction("save-project", () => makeProject().then(saveFile, showError));
   onAction("download-json", () => saveAs("json").catch(showError));
   offerPicture(host, opening);
@@ -57,11 +58,13 @@ export function setUpExportPanel(host, opening, validator, files) {
  * @param {{ host: Host, validator: Validator, makeFile: MakeFile, nameOf: (extension: string) => string }} context
  */
 function offerGlb({ host, validator, makeFile, nameOf }) {
+  const glb = host.catalogue.formats.find(({ id }) => id === "glb");
   const facts = new ExportFacts(host, nameOf);
   const verdict = new VerdictLine(host);
   const make = async () => {
+    const setSize = facts.begin();
     const file = await makeFile("glb");
-    facts.setFile(file);
+    setSize(file.size);
     return file;
   };
   const check = () => makeChecked(host, nameOf("glb"), make, validator, verdict);
@@ -70,7 +73,7 @@ function offerGlb({ host, validator, makeFile, nameOf }) {
     const file = await check();
     if (file) saveFile(file);
   });
-  byId("share-glb", HTMLButtonElement).hidden = !canSend(GLB_TYPE, "face.glb");
+  byId("share-glb", HTMLButtonElement).hidden = !canSend(glb?.mediaType ?? "", "face.glb");
   const shareOrSave = async (/** @type {File} */ file) => (await send(file)) || saveFile(file);
   onAction("share-glb", () => make().then(shareOrSave).catch((error) => host.fail(error)));
 }
@@ -121,13 +124,14 @@ async function makeChecked(host, name, make, validator, line) {
 }
 
 /**
+ * Names files of the face and density that are open now, by their extension.
+ *
  * @param {Host} host
  * @param {Opening} opening
- * @param {string} extension
  */
-function meshName(host, opening, extension) {
+function meshNaming(host, { face }) {
   const points = host.read((state) => (state.chosen["density"] === String(host.catalogue.defaultDensity) ? undefined : state.vertexCount));
-  return fileName(opening.face, extension, points);
+  return (/** @type {string} */ extension) => fileName(face, extension, points);
 }
 
 /**

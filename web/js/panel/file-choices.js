@@ -1,6 +1,6 @@
 import { byId } from "../page/dom.js";
 
-/** File options chosen in the export tab: the values of its checked inputs by option. @returns {Record<string, string>} */
+/** The values of the export tab’s checked inputs, by file option. @returns {Record<string, string>} */
 export function fileChoices() {
   const inputs = /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("[data-file-option]:checked"));
   return Object.fromEntries([...inputs].map(({ dataset, value }) => [dataset["fileOption"] ?? "", value]));

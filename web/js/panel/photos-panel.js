@@ -35,8 +35,6 @@ export class PhotosPanel {
    * @type {{ photo: FacePhoto, face: Face, pictures: string } | undefined}
    */
   #removed;
-  /** Thumbnail of each picture. @type {Map<string, Promise<ImageBitmap>>} */
-  #thumbnails = new Map();
 
   /**
    * @param {Host} host
@@ -133,28 +131,22 @@ export class PhotosPanel {
    * @param {FacePhoto} photo
    */
   async #draw(canvas, photo) {
-    const [picture = ""] = photo.pictures;
-    const drawn = this.#thumbnails.get(picture) ?? this.#thumbnail(picture, photo);
-    this.#thumbnails.set(picture, drawn);
-    const thumbnail = await drawn;
+    const thumbnail = await this.#thumbnail(photo);
     [canvas.width, canvas.height] = [thumbnail.width, thumbnail.height];
     canvas.getContext("2d")?.drawImage(thumbnail, 0, 0);
+    thumbnail.close();
   }
 
-  /**
-   * @param {string} picture
-   * @param {FacePhoto} photo
-   */
-  async #thumbnail(picture, { photos, files }) {
+  /** @param {FacePhoto} photo */
+  async #thumbnail({ photos, pictures: [picture = ""], files }) {
     const [{ landmarks } = { landmarks: new Float32Array() }] = viewsOf(photos);
     const whole = await this.#vision.picture(picture, files);
     const { x, y, side: size } = faceBox(landmarks, whole.width, whole.height);
     const side = Math.max(1, Math.round(AROUND_FACE * size));
     const side_px = Math.round(THUMBNAIL_PX * devicePixelRatio);
     const resize = { resizeWidth: side_px, resizeHeight: side_px, resizeQuality: /** @type {const} */ ("high") };
-    const thumbnail = await createImageBitmap(whole, Math.round(x - side / 2), Math.round(y - side / 2), side, side, resize);
-    whole.close();
-    return thumbnail;
+    const thumbnail = createImageBitmap(whole, Math.round(x - side / 2), Math.round(y - side / 2), side, side, resize);
+    return thumbnail.finally(() => whole.close());
   }
 }
 

@@ -1,6 +1,5 @@
 import { byId, make } from "../page/dom.js";
 import { asPageError } from "../page/page-error.js";
-import { isTrap } from "../viewport/studio-module.js";
 import { idName } from "../words/names.js";
 import { onLocaleChange, isWord, t, formatNumber } from "../words/words.js";
 import { chosen, hasLength, printChoices } from "./file-choices.js";
@@ -19,7 +18,6 @@ const VISIBLE_MM = 0.05;
 
 /** Print options, the measurements of the body, and the reason if it cannot be made. */
 export class PrintPanel {
-  #host;
   #files;
   #fold = byId("export-print", HTMLDetailsElement);
   #length = byId("solid-mm", HTMLInputElement);
@@ -42,7 +40,6 @@ export class PrintPanel {
    * @param {import("../work/face-files.js").FaceFiles} files
    */
   constructor(host, files) {
-    this.#host = host;
     this.#files = files;
     this.#range_mm = host.catalogue.solidMm;
     const [least = 0, most = 0] = this.#range_mm;
@@ -59,7 +56,6 @@ export class PrintPanel {
 
   /** Shows why the file was not written. @param {unknown} error */
   showError(error) {
-    if (isTrap(error)) this.#host.fail(error);
     this.#error = error;
     this.#body = undefined;
     this.#write();

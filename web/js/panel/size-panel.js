@@ -73,7 +73,7 @@ export class SizePanel {
     // The start may not exist in the current mesh.
     if (face?.photoLens === undefined || (this.#from ?? 0) >= face.vertexCount) this.#from = undefined;
     if (face?.photoLens === undefined) return;
-    const about = this.#host.read((_, studio) => studio.about());
+    const about = this.#host.ask((studio) => studio.about());
     if (about) this.#write(JSON.parse(about), face.selected);
   }
 
@@ -101,7 +101,7 @@ export class SizePanel {
     const from = this.#from;
     if (from === undefined) return t("tape.help");
     if (to === undefined || to === from || !this.#section.open) return t("tape.next", { from: this.#name(from) });
-    const [straight = 0, along = 0] = this.#host.read((_, studio) => studio.measure(from, to)) ?? [];
+    const [straight = 0, along = 0] = this.#host.ask((studio) => studio.measure(from, to)) ?? [];
     const lengths = { straight: millimetres(straight, error), along: millimetres(along, error) };
     return t("tape.result", { from: this.#name(from), to: this.#name(to), ...lengths });
   }

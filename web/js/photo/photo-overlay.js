@@ -94,7 +94,7 @@ export class PhotoOverlay {
    *
    * @param {Face} face
    * @param {ImageBitmap} picture of its lead photo
-   * @returns {Promise<import("../opening.js").Prepared>}
+   * @returns {Promise<import("../opening.js").Display>}
    */
   async prepare(face, picture) {
     const view = leadOf(face);

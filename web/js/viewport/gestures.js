@@ -39,7 +39,7 @@ export class Gestures {
   #isDragging = false;
   /** Axis to which the drag is restricted. @type {string | undefined} */
   #along;
-  /** Influence radius, which a pinch changes by less than a step at a time. */
+  /** Unrounded influence radius; one pinch step can change it by less than 1 mm. */
   #radius_mm = 0;
   #host;
   #listener;

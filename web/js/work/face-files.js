@@ -56,7 +56,7 @@ export class FaceFiles {
    */
   async solidFacts(options) {
     const { face } = this.#open();
-    return this.#vision.perform({ type: "solid-facts", face, options }, [], NOT_WRITTEN);
+    return this.#vision.perform({ type: "solid-facts", face, options }, [], "worker-died");
   }
 
   /**
@@ -67,7 +67,7 @@ export class FaceFiles {
    */
   async editedPhoto(mediaType) {
     const { face, lead } = this.#open();
-    const falloffBand = this.#host.read((state) => state.falloffBand) ?? 0;
+    const { falloffBand } = this.#state();
     return this.#vision.perform({ type: "edited-photo", face, lead, falloffBand, mediaType }, [lead.source], "photo-not-written");
   }
 
@@ -78,10 +78,10 @@ export class FaceFiles {
    */
   async texture() {
     const { face, files } = this.#open();
-    return this.#vision.perform({ type: "texture", face, size: this.#textureSize() }, files, NOT_WRITTEN);
+    return this.#vision.perform({ type: "texture", face, size: this.#textureSize() }, files, "worker-died");
   }
 
-  /** The open face as the worker takes it. Throws `no-face` without one. */
+  /** The open face in the form of a worker request. Throws `no-face` without one. */
   #open() {
     const face = this.#opening.remember();
     if (!face) throw { code: "no-face", message: "no face is open", hint: "" };
@@ -90,6 +90,11 @@ export class FaceFiles {
   }
 
   #textureSize() {
-    return this.#host.read((state) => state.chosen["texture-size"]) ?? "";
+    return this.#state().chosen["texture-size"] ?? "";
+  }
+
+  /** The state; throws `restarting` during a restart. */
+  #state() {
+    return this.#host.answer((studio) => studio.state());
   }
 }

@@ -56,7 +56,7 @@ export function nameIn(file, edits, defaultDensity) {
 }
 
 /**
- * The edits without those of the photo alone.
+ * Removes the edits that apply only to the photo.
  *
  * @param {string} edits
  */

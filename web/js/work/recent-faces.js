@@ -19,9 +19,9 @@ const MAX_PHOTOS = 3;
 export function shownBefore(shown, now) {
   const others = shown.filter((entry) => entry !== undefined).filter(({ face }) => face !== now);
   const unique = others.filter(({ face }, index) => others.findIndex((other) => other.face === face) === index);
-  const photos = [...new Set(unique.map(({ face }) => photoOf(face)))].filter((photo) => photo !== photoOf(now));
-  const kept = new Set([photoOf(now), ...photos.slice(0, MAX_PHOTOS)]);
-  return unique.filter(({ face }) => kept.has(photoOf(face)));
+  const photos = [...new Set(unique.map(({ face }) => firstFileKey(face)))].filter((photo) => photo !== firstFileKey(now));
+  const kept = new Set([firstFileKey(now), ...photos.slice(0, MAX_PHOTOS)]);
+  return unique.filter(({ face }) => kept.has(firstFileKey(face)));
 }
 
 /**
@@ -32,17 +32,17 @@ export function shownBefore(shown, now) {
  * @returns {Face[]}
  */
 export function recentFaces(before, faces) {
-  const photos = new Set(faces.map(photoOf));
+  const photos = new Set(faces.map(firstFileKey));
   return before
     .filter(({ face }, index) => {
-      const isNew = !photos.has(photoOf(face));
-      photos.add(photoOf(face));
+      const isNew = !photos.has(firstFileKey(face));
+      photos.add(firstFileKey(face));
       return index === 0 || isNew;
     })
     .map(({ face }) => face);
 }
 
 /** Key of a face's first file. @param {Face} face */
-function photoOf({ files }) {
+function firstFileKey({ files }) {
   return files[0]?.key;
 }

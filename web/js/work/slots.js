@@ -51,8 +51,8 @@ export async function allSlots() {
 }
 
 /**
- * Reads the face in a slot, with the save order of its database row. A newer draft replaces its work if its pictures are
- * in the stored files.
+ * Reads the face in a slot, with the save order of its database row. A newer draft replaces the row's work if the
+ * stored files contain the draft's pictures.
  *
  * @param {string} slot
  * @returns {Promise<{ face: Face, order: number }>}

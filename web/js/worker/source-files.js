@@ -7,7 +7,7 @@
 import { checkLength } from "../../wasm/rosto-vision-web.js";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
-import { fileKey } from "../work/face.js";
+import { filesWith } from "../work/face.js";
 import { decodeWithBrowser } from "./browser-decoder.js";
 
 /** Rosto's projects and GLBs are far smaller; larger files are not read into memory. */
@@ -56,8 +56,9 @@ export async function decoded(file, bytes, decode) {
  * @param {SourceFile[]} files
  */
 export async function keepPictures(vision, pictures, files) {
-  for (const { key, file } of files) {
-    if (pictures.every((picture) => fileKey(picture) !== key || vision.has(picture))) continue;
+  if (pictures.every((picture) => vision.has(picture))) return;
+  // All, because keeping one file may drop the pictures of another.
+  for (const { key, file } of filesWith(files, pictures)) {
     const { bytes } = await readFile(file);
     await decoded(file, bytes, (readable, original) => vision.keep(key, readable, original));
   }

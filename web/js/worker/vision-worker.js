@@ -221,7 +221,7 @@ async function withBitmap(picture) {
 }
 
 /**
- * Draws the lead photo with the edits at full size, or in the size in which a saved file contains it.
+ * Draws the lead photo with the edits at full size, or at the size stored in a saved file.
  *
  * @param {Vision} module
  * @param {Extract<FaceTask, { type: "edited-photo" }>} task

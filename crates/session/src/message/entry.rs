@@ -7,7 +7,7 @@ use crate::rows::Row;
 use crate::{OpenFace, Session};
 
 /// Maximum number of entries in a [`State`](crate::State); the latest ones are listed.
-pub const MAX_LISTED: usize = 40;
+pub const MAX_LISTED: usize = 100;
 
 /// An entry of the history.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]

@@ -1,5 +1,5 @@
 use glam::DVec2;
-use rosto_export::{Eyes, about};
+use rosto_export::about;
 use rosto_studio::project;
 
 use super::{MM_PER_M, OpenFace};
@@ -50,8 +50,8 @@ impl OpenFace {
     }
 
     /// Numbers of vertices and triangles of the displayed mesh, or of the mesh with eyes and mouth in separate pieces.
-    pub fn mesh_counts(&self, eyes: Eyes) -> [usize; 2] {
-        let split = (eyes == Eyes::Pieces).then(|| self.document.split_face());
+    pub fn mesh_counts(&self, has_pieces: bool) -> [usize; 2] {
+        let split = has_pieces.then(|| self.document.split_face());
         let topology = split.as_ref().map_or(self.document.topology(), |split| split.topology());
         [topology.vertex_count(), topology.triangles().len()]
     }

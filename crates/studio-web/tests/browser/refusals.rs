@@ -46,6 +46,13 @@ async fn refusals_have_codes_and_keep_the_face() {
     ] {
         assert_eq!(code(&studio.open(&photos, edits, pictures).unwrap_err()), why, "{photos}");
     }
+    // A distortion that no camera explains.
+    let distorted = |[x, y, z]: [f32; 3]| [x, y + 0.06 * (180.0 * y).sin(), z];
+    let strange = Observation { landmarks: found().landmarks.into_iter().map(distorted).collect(), ..found() };
+    studio.add_picture("other/0".to_owned(), bitmap(2).await).unwrap();
+    assert_eq!(code(&studio.add_photo(&photos(vec![strange]), "other/0".to_owned()).unwrap_err()), "another-face");
+    let dropped = studio.add_photo(&photos(vec![found()]), "other/0".to_owned()).unwrap_err();
+    assert_eq!(code(&dropped), "bad-face", "the picture of a refused photo is dropped");
     assert_eq!(studio.pictures(), pictures);
     assert_eq!(state(&studio)["vertexCount"], SMOOTH);
     assert_eq!(shown_mesh(&mut studio), mesh);

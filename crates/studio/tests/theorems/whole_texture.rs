@@ -93,7 +93,7 @@ fn the_texture_side_fits_the_photo_and_the_limit() {
         let picture = Photo::from_rgb(size_px, size_px, vec![128; 3 * (size_px * size_px) as usize]).unwrap();
         face(picture, &head.landmarks(&camera), PhotoLens::Distance(DISTANCE_M))
     };
-    let sides = [16, 1024, 2048].map(|size_px| texture_side_px(&face_in(size_px), 4096));
-    assert_eq!(sides, [1024, 2048, 4096]);
-    assert_eq!([256, 1024, 2048].map(|at_most_px| texture_side_px(&face_in(2048), at_most_px)), [256, 1024, 2048]);
+    let side_px = |size_px, at_most_px| texture_side_px(&face_in(size_px), |_| Some([size_px; 2]), at_most_px);
+    assert_eq!([16, 1024, 2048].map(|size_px| side_px(size_px, 4096)), [1024, 2048, 4096]);
+    assert_eq!([256, 1024, 2048].map(|at_most_px| side_px(2048, at_most_px)), [256, 1024, 2048]);
 }
