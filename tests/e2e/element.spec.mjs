@@ -92,7 +92,7 @@ test("the element reports files it cannot open by event and notice, and opens th
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
-test("of two photos the element shows the one requested last, even if the other arrives later", async ({ openElement }) => {
+test("the element shows the photo requested last, even if an earlier one arrives later", async ({ openElement }) => {
   const visitor = await openElement({ body: "<rosto-studio></rosto-studio>" });
   const { page } = visitor;
   let deliver = () => {};
