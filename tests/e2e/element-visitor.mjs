@@ -2,9 +2,9 @@ import { PNG } from "pngjs";
 import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
 import { serve } from "./server.mjs";
-import { recordGpus } from "./page-scripts.mjs";
+import { hookModule, recordGpus } from "./page-scripts.mjs";
 
-const SCRIPT = `<script type="module" src="node_modules/rosto/element/rosto-studio.js"></script>`;
+const SCRIPT = `<script type="module" src="node_modules/rosto/rosto.js"></script>`;
 
 /** Fixtures for the example page, or for a page with a given `body` and policy next to the installed package. */
 export const test = base.extend({
@@ -16,7 +16,7 @@ export const test = base.extend({
       const html = `<!doctype html><html lang="en"><meta charset="utf-8">${SCRIPT}<body>${body}`;
       const headers = { "content-type": "text/html", ...(policy && { "content-security-policy": policy }) };
       const before = (context) => body && context.route(url, (route) => route.fulfill({ headers, body: html }));
-      return new ElementVisitor(await open({ url, before, scripts: [recordGpus, recordEvents] }));
+      return new ElementVisitor(await open({ url, before, scripts: [hookModule, recordGpus, recordEvents] }));
     });
     server.close();
   },

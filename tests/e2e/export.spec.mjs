@@ -183,15 +183,15 @@ function measuresIn(log) {
   return [`${size} mm`, `${volume} cm³`, `${mass} g`, `${thinnest} mm`, ...(Number(rounded) > 0 ? [`${rounded} mm`] : [])];
 }
 
-/** Runs in the page: rejects walls thicker than a limit. @param {{ most_mm: number }} limit */
-async function refuseWalls({ most_mm }) {
-  const { VisionClient } = await import(new URL("js/photo/vision-client.js", document.baseURI).href);
-  const { perform } = VisionClient.prototype;
-  VisionClient.prototype.perform = function (task, ...rest) {
-    const isThick = Number(document.getElementById("solid-mm").value) > most_mm;
-    const isBody = ["solid-facts", "write"].includes(task.type);
-    if (isBody && isThick) return Promise.reject({ code: "too-thick", message: "too thick", hint: "", maxMm: most_mm });
-    return perform.call(this, task, ...rest);
+/** Runs in the page: rejects walls thicker than a limit, in place of the worker. @param {{ most_mm: number }} limit */
+function refuseWalls({ most_mm }) {
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message, ...rest) {
+    const isThick = Number(/** @type {HTMLInputElement} */ (document.getElementById("solid-mm")).value) > most_mm;
+    if (!isThick || !["solid-facts", "write"].includes(message.type)) return post.call(this, message, ...rest);
+    const error = { code: "too-thick", message: "too thick", hint: "", maxMm: most_mm };
+    const reply = new MessageEvent("message", { data: { type: "failed", id: message.id, error } });
+    setTimeout(() => this.dispatchEvent(reply));
   };
 }
 

@@ -7,7 +7,7 @@ import { chooseFace, openGroup } from "./groups.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 import { asJpeg, sixTimes } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
-import { trapIn, refuseDatabase } from "./page-scripts.mjs";
+import { hookModule, trapIn, refuseDatabase } from "./page-scripts.mjs";
 
 test.use({ visit: { expert: true } });
 
@@ -129,7 +129,9 @@ for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["noth
   });
 }
 
-test("the last of several quickly chosen faces is shown, and a restart of the module changes nothing", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the last of several quickly chosen faces is shown, and a restart of the module changes nothing", { tag: "@rare" }, async ({ open }) => {
+  const visitor = await open({ scripts: [hookModule] });
+  const { page } = visitor;
   await visitor.untilLoaded();
   await openGroup(visitor);
   await visitor.move("nose tip", "z", 9);
@@ -149,7 +151,7 @@ test("the last of several quickly chosen faces is shown, and a restart of the mo
   assert.deepEqual(await visitor.work(), first);
 
   await choose(visitor, 1);
-  await page.evaluate(trapIn, { method: "savedEdits" });
+  await page.evaluate(trapIn, "studio_savedEdits");
   await visitor.unfold("section-export");
   await page.click("[data-action='download-json']");
   await page.waitForSelector("#notice[data-code='restarted']");

@@ -7,10 +7,9 @@ import { numberOf } from "./video-frames.mjs";
  * @typedef {{ number: number, landmarks_px: number[][] | undefined, answersMeanwhile: number }} Seen
  */
 
-/** A loaded VisionClient, separate from the page's own. */
+/** A loaded VisionClient of the module `parts`. */
 export async function client() {
-  const { VisionClient } = await import(new URL("js/photo/vision-client.js", document.baseURI).href);
-  const client = new VisionClient();
+  const client = new globalThis.parts.VisionClient();
   client.start();
   await client.ready;
   return client;

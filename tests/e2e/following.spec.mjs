@@ -1,10 +1,12 @@
-// The worker tracks a face in camera frames. The tests use the page's VisionClient, not its controls.
+// The worker tracks a face in camera frames. The tests use the VisionClient, not the page.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { portraitLandmarks } from "./video.mjs";
 import { FRAMES_PER_S, STILL_FRAMES, mapToFrame, poseIn, speedIn } from "./video-frames.mjs";
 import { test as base } from "./fixtures.mjs";
 import { crashBefore } from "./page-scripts.mjs";
+import { importParts } from "./parts.mjs";
+import { inVersion } from "./server.mjs";
 
 /** @typedef {import("./following-page.mjs").Seen} Seen */
 
@@ -14,10 +16,15 @@ const WATCHED_MS = 9000;
 const SETTLED_FRAMES = 10;
 
 const test = base.extend({
-  /** The exports of following-page.mjs, imported into the page. */
-  following: async ({ page }, use) => {
+  /** The exports of following-page.mjs, imported into a page with the VisionClient as `parts`. */
+  following: async ({ page, server }, use) => {
     const fileOf = (url) => path.join(import.meta.dirname, path.basename(url));
     await page.route("**/film/*", (route) => route.fulfill({ path: fileOf(route.request().url()) }));
+    // Without the page's policy and worker.
+    await page.route("**/blank.html", (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html><title>Blank</title>" }));
+    await page.goto(`${server.url}blank.html`);
+    const parts = await importParts(page, ["js/photo/vision-client.js"]);
+    await page.evaluate((parts) => void Object.assign(globalThis, { parts }), parts);
     await use(await page.evaluateHandle(() => import(new URL("film/following-page.mjs", document.baseURI).href)));
   },
 });
@@ -43,9 +50,7 @@ test("tracking a camera's face is accurate at rest and does not lag in motion", 
   assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
 });
 
-test("the first and last of simultaneous frames are answered, stopping answers all, and a crashed worker is replaced", async ({ visitor, page, following }) => {
-  // The page's own workers have started.
-  await visitor.untilLoaded();
+test("the first and last of simultaneous frames are answered, stopping answers all, and a crashed worker is replaced", async ({ page, following }) => {
   const vision = await following.evaluateHandle(({ client }) => client());
   const { answered, left } = await vision.evaluate(async (vision) => {
     const frames = await Promise.all(Array.from({ length: 6 }, () => createImageBitmap(new ImageData(64, 48))));
@@ -77,9 +82,9 @@ test("the first and last of simultaneous frames are answered, stopping answers a
 });
 
 test("a large frame is downscaled, and its landmarks keep their positions", { tag: "@rare" }, async ({ following }) => {
-  const [small, large] = await following.evaluate(async ({ client }) => {
+  const [small, large] = await following.evaluate(async ({ client }, sample) => {
     const vision = await client();
-    const portrait = await createImageBitmap(await (await fetch(new URL("assets/sample.png", document.baseURI))).blob());
+    const portrait = await createImageBitmap(await (await fetch(new URL(sample, document.baseURI))).blob());
     const found = [];
     for (const scale of [1, 3]) {
       const canvas = new OffscreenCanvas(640 * scale, 480 * scale);
@@ -90,7 +95,7 @@ test("a large frame is downscaled, and its landmarks keep their positions", { ta
       found.push(Array.from(landmarks, (value, index) => value * [width_px, height_px, width_px][index % 3]));
     }
     return found;
-  });
+  }, await inVersion("sample.png"));
   // The centre of the first pixel is at 0 at both scales.
   const off = (axis) => mean(large.flatMap((at, index) => (index % 3 === axis ? [at - 3 * small[index] - 1] : [])));
   assert.ok(Math.abs(off(0)) < 0.5 && Math.abs(off(1)) < 0.5, `${off(0)}, ${off(1)} px of 1920 × 1440`);

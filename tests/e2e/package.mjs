@@ -18,7 +18,7 @@ let installing;
 export const installed = () => (installing ??= install());
 
 async function install() {
-  await run("node", ["web/package/build.mjs"], { cwd: ROOT });
+  await run("node", ["web/build/package.mjs"], { cwd: ROOT });
   await rm(SITE, { recursive: true, force: true });
   await mkdir(SITE, { recursive: true });
   const { stdout: tarball } = await run("npm", ["pack", BUILT, "--silent"], { cwd: SITE });

@@ -35,17 +35,48 @@ export async function crashGpu(page) {
   await browser.send("Browser.crashGpuProcess");
 }
 
-/** Makes the next call of a studio method trap, as a panic does. @param {{ module?: string, method: string }} call */
-export async function trapIn({ module = "rosto-studio-web.js", method }) {
-  const { prototype } = (await import(new URL(`wasm/${module}`, document.baseURI).href)).Studio;
-  const call = prototype[method];
+/**
+ * Runs in the page before its scripts. Counts the calls into each instance of the page's module, keeps their memories, and
+ * passes calls of an exported function to `hooked.instead[name]`, if it is set.
+ */
+export function hookModule() {
+  const hooked = { calls: [], memories: [], instead: {} };
+  globalThis.hooked = hooked;
+  const wrap = (instance) => {
+    if (!("__wbg_studio_free" in instance.exports)) return instance;
+    const place = hooked.calls.push(0) - 1;
+    hooked.memories.push(instance.exports.memory);
+    const watched = (name, call) => (...values) => {
+      hooked.calls[place] += 1;
+      const instead = hooked.instead[name];
+      return instead ? instead(call, ...values) : call(...values);
+    };
+    const exports = Object.entries(instance.exports).map(([name, value]) => [name, typeof value === "function" ? watched(name, value) : value]);
+    return { exports: Object.fromEntries(exports) };
+  };
+  const { instantiateStreaming, Instance } = WebAssembly;
+  WebAssembly.instantiateStreaming = async (...source) => {
+    const { module, instance } = await instantiateStreaming(...source);
+    return { module, instance: wrap(instance) };
+  };
+  WebAssembly.Instance = new Proxy(Instance, { construct: (_, source) => wrap(new Instance(...source)) });
+}
+
+/** Makes the next call of an exported function trap, as a panic does. @param {string} name such as "studio_apply" */
+export async function trapIn(name) {
   // (module (func (export "panic") unreachable))
   const code = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 9, 1, 5, 112, 97, 110, 105, 99, 0, 0, 10, 5, 1, 3, 0, 0, 11];
   const { instance } = await WebAssembly.instantiate(new Uint8Array(code));
-  prototype[method] = (...values) => {
-    prototype[method] = call;
-    return instance.exports.panic(...values);
+  const { instead } = globalThis.hooked;
+  instead[name] = () => {
+    delete instead[name];
+    instance.exports.panic();
   };
+}
+
+/** Overwrites the memory of the module's current instance. */
+export function corruptMemory() {
+  new Uint8Array(globalThis.hooked.memories.at(-1).buffer).fill(0xff);
 }
 
 /** Makes the worker crash instead of sending a reply. @param {string} reply */

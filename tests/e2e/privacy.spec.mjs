@@ -42,8 +42,7 @@ test("the policy blocks other hosts, inline scripts and eval", async ({ visitor 
 
 test("only the page's Trusted Types policy can create markup and script URLs", async ({ visitor }) => {
   await visitor.untilLoaded();
-  const { drawing, ...refused } = await visitor.page.evaluate(async () => {
-    const { scriptUrl, trustedSvg } = await import(new URL("js/page/trusted.js", document.baseURI).href);
+  const refused = await visitor.page.evaluate(() => {
     const text = (act) => {
       try {
         return String(act());
@@ -51,21 +50,15 @@ test("only the page's Trusted Types policy can create markup and script URLs", a
         return error.name;
       }
     };
+    const { src } = /** @type {HTMLScriptElement} */ (document.querySelector("script[type='module']"));
     return {
       markup: text(() => (document.createElement("p").innerHTML = "<b>bold</b>")),
-      worker: text(() => new Worker("js/worker/vision-worker.js", { type: "module" })),
-      script: text(() => (document.createElement("script").src = "js/main.js")),
+      worker: text(() => new Worker(src.replace("page.js", "vision-worker.js"))),
+      script: text(() => (document.createElement("script").src = src)),
       policy: text(() => window.trustedTypes.createPolicy("another", {})),
       same: text(() => window.trustedTypes.createPolicy("rosto", {})),
-      foreign: text(() => scriptUrl("https://example.com/js/worker/vision-worker.js")),
-      data: text(() => scriptUrl("data:text/javascript,postMessage(1)")),
-      other: text(() => scriptUrl("js/main.js")),
-      drawing: text(() => trustedSvg('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0"/></svg>')),
-      handler: text(() => trustedSvg('<svg><path onload="alert(1)"/></svg>')),
-      scripted: text(() => trustedSvg("<svg><script>alert(1)</script></svg>")),
     };
   });
-  assert.match(drawing, /^<svg/);
   assert.deepEqual(Object.entries(refused).filter(([, what]) => what !== "TypeError"), []);
   // Violations are reported asynchronously.
   await visitor.frames(2);

@@ -2,13 +2,13 @@ import assert from "node:assert/strict";
 import { variants, test } from "./fixtures.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 import { meanStep } from "./pixels.mjs";
-import { trapIn } from "./page-scripts.mjs";
+import { corruptMemory, hookModule, trapIn } from "./page-scripts.mjs";
 
-test.use({ visit: { expert: true } });
+test.use({ visit: { expert: true, scripts: [hookModule] } });
 
-for (const [{ drawn, needs, module }, tag] of variants([
-  { drawn: "WebGPU", needs: "eyes", module: "rosto-studio-web" },
-  { drawn: "WebGL2", needs: "webgl", module: "rosto-studio-webgl" },
+for (const [{ drawn, needs }, tag] of variants([
+  { drawn: "WebGPU", needs: "eyes" },
+  { drawn: "WebGL2", needs: "webgl" },
 ])) {
   test(`a module with corrupted memory restarts twice under ${drawn} and restores work, choices and view`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
     await editor.untilLoaded();
@@ -18,7 +18,7 @@ for (const [{ drawn, needs, module }, tag] of variants([
     await page.mouse.move(4, 4);
     const view = await editor.view();
 
-    await page.evaluate(corruptMemory, `${module}.js`);
+    await page.evaluate(corruptMemory);
     const box = await page.locator("#viewport").boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.move(box.x + box.width / 2 + 30, box.y + box.height / 2 + 8, { steps: 3 });
@@ -26,12 +26,12 @@ for (const [{ drawn, needs, module }, tag] of variants([
     assert.match((await editor.notice()).text, /restarted\s+Your work is back as it was/);
     await expectRestored(editor, { work, choices, view });
 
-    for (const again of [1, 2]) {
+    for (let again = 0; again < 2; again++) {
       // Clicks, because Escape would also cancel an edit and save the work, and so enter the module before the key
       // below.
       await page.click("#notice-close");
       await page.waitForSelector("#notice", { state: "hidden" });
-      await page.evaluate(corruptMemory, `${module}.js?again=${again}`);
+      await page.evaluate(corruptMemory);
       await page.focus("#viewport");
       // Turns the camera.
       await page.keyboard.press("ArrowLeft");
@@ -52,7 +52,7 @@ test("a panic during export or opening restarts the module, and the next attempt
   const work = await editor.meshJson("mm");
   const project = await editor.download("save-project");
 
-  await page.evaluate(trapIn, { method: "savedEdits" });
+  await page.evaluate(trapIn, "studio_savedEdits");
   await editor.reveal("#export-units");
   await page.click("#section-export [data-action='download-json']");
   await untilRestarted(editor);
@@ -62,7 +62,7 @@ test("a panic during export or opening restarts the module, and the next attempt
   assert.equal(texture.readUInt32BE(16), 1024, "the texture of the whole face was not restored");
 
   await page.keyboard.press("Escape");
-  await page.evaluate(trapIn, { module: "rosto-studio-web.js?again=1", method: "open" });
+  await page.evaluate(trapIn, "studio_open");
   await editor.drop(project, "face.rosto");
   await untilRestarted(editor);
   assert.deepEqual(await editor.meshJson("mm"), work);
@@ -83,7 +83,7 @@ test("a face opened during a restart leaves the saved work unchanged", async ({ 
   const kept = await histories();
   assert.equal(kept.length, 1);
 
-  await page.evaluate(corruptMemory, "rosto-studio-web.js");
+  await page.evaluate(corruptMemory);
   // In one task, so that the file arrives before the restart has finished.
   await page.evaluate((bytes) => {
     const options = { bubbles: true, cancelable: true };
@@ -143,11 +143,4 @@ async function expectRestored(visitor, { work, choices, view }) {
 async function untilRestarted(visitor) {
   await visitor.page.waitForSelector("#notice[data-code='restarted']");
   await visitor.frames(3);
-}
-
-/** Runs in the page: overwrites the module's memory. @param {string} module */
-async function corruptMemory(module) {
-  const { default: instantiate } = await import(new URL(`wasm/${module}`, document.baseURI).href);
-  const { memory } = await instantiate();
-  new Uint8Array(memory.buffer).fill(0xff);
 }

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { variants, test } from "./fixtures.mjs";
+import { importParts } from "./parts.mjs";
 
 test.use({ visit: { expert: true } });
 
@@ -40,9 +41,9 @@ for (const [[language, queries], tag] of variants(Object.entries(FOUND))) {
   });
 }
 
-test("matches rank whole names first, then prefixes, words and parts; the shortest wins", async ({ visitor }) => {
-  const found = await visitor.page.evaluate(async () => {
-    const { bestMatch } = await import(new URL("js/words/search.js", document.baseURI).href);
+test("matches rank whole names first, then prefixes, words and parts; the shortest wins", async ({ page }) => {
+  const parts = await importParts(page, ["js/words/search.js"]);
+  const found = await parts.evaluate(({ bestMatch }) => {
     const names = ["left outer chin · 9", "chin crease · 18", "chinless · 3", "deep chin · 4", "chin · 199", "right chin line · 2", "Ação · 5"];
     return ["chin", "chin 199", "chin c", "outer left", "hin", "acao", "· 5", "beard", "", " · "].map((text) => names[bestMatch(text, names) ?? -1]);
   });

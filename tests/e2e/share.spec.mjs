@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { variants, test } from "./fixtures.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
-import { crashGpu, recordGpus } from "./page-scripts.mjs";
+import { crashGpu, hookModule, recordGpus } from "./page-scripts.mjs";
 
 /** Time limit for a recording on a slow machine. */
 const CLIP_MS = 120_000;
@@ -37,7 +37,10 @@ test("before and after are saved as halves of one picture, and the view does not
   assertSame(await readState(visitor), before);
 });
 
-test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: "@eyes" }, async ({ open }) => {
+  const editor = await open({ scripts: [hookModule] });
+  const { page } = editor;
+  await editor.openFace();
   await editor.move("nose tip", "x", 12);
   const before = await readState(editor);
   await page.evaluate(failPictures);
@@ -231,14 +234,12 @@ async function watch(bytes) {
 }
 
 /** Runs in the page: the second snapshot fails. */
-async function failPictures() {
-  const { Studio } = await import(new URL("wasm/rosto-studio-web.js", document.baseURI).href);
-  const snapshot = Studio.prototype.snapshot;
+function failPictures() {
   let asked = 0;
-  Studio.prototype.snapshot = function (...wishes) {
+  globalThis.hooked.instead["studio_snapshot"] = (call, ...values) => {
     asked += 1;
     if (asked % 2 === 0) throw Object.assign(new Error("refused"), { code: "not-drawn" });
-    return snapshot.apply(this, wishes);
+    return call(...values);
   };
 }
 

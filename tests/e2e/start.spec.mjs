@@ -2,34 +2,39 @@ import assert from "node:assert/strict";
 import { variants, test } from "./fixtures.mjs";
 import { delayFile } from "./delayed-file.mjs";
 
-/** Responses that leave the page without a module. */
+/** Responses that leave the page without its script. */
 const FAULTS = [
-  { file: "words/en.json", what: "is not found", answer: { status: 404 }, errors: 1 },
-  { file: "wasm/rosto-studio-web.js", what: "is refused", answer: { status: 500 }, errors: 0 },
-  { file: "js/main.js", what: "is a foreign page", answer: { status: 200, contentType: "text/html", body: "<p>Log in" }, errors: 0 },
-  { file: "page/tabs.js", what: "cannot be read", answer: { status: 200, contentType: "text/javascript", body: "export const = ;" }, errors: 1 },
+  { what: "is not found", answer: { status: 404 } },
+  { what: "is refused", answer: { status: 500 } },
+  { what: "is a foreign page", answer: { status: 200, contentType: "text/html", body: "<p>Log in" } },
+  { what: "is not the built one", answer: { status: 200, contentType: "text/javascript", body: "document.body.remove()" } },
 ];
 
-for (const { file, what, answer, errors } of FAULTS) {
-  test(`if ${file} ${what}, the page shows a notice in both languages and can be reloaded`, async ({ open }) => {
-    const visitor = await open({ before: (context) => context.route(`**/${file}`, (route) => route.fulfill(answer)) });
+for (const [{ what, answer }, tag] of variants(FAULTS)) {
+  test(`if the page's script ${what}, the page shows a notice in both languages and can be reloaded`, { tag }, async ({ open }) => {
+    const visitor = await open({ before: (context) => context.route("**/page.js", (route) => route.fulfill(answer)) });
     const { page } = visitor;
     await page.waitForSelector("#not-started");
     const text = await page.innerText("#not-started");
     assert.match(text, /Part of the page didn’t load/);
     assert.match(text, /Parte da página não carregou/);
-    // A module that fails to parse reports one error.
-    assert.equal(visitor.errors.splice(0).length, errors);
 
-    await page.context().unroute(`**/${file}`);
+    await page.context().unroute("**/page.js");
     await page.click("#start-again");
     await page.waitForSelector("body[data-host='open']");
     assert.ok(await page.isHidden("#not-started"));
   });
 }
 
+test("without the words of its language, the page starts in English", async ({ open }) => {
+  const visitor = await open({ locale: "pt-BR", before: (context) => context.route("**/pt-*.js", (route) => route.abort()) });
+  await visitor.page.waitForSelector("body[data-host='open']");
+  assert.equal(await visitor.page.innerText("#welcome-title"), "Drop a photo of a face");
+  await visitor.page.context().unroute("**/pt-*.js");
+});
+
 test("a notice appears while modules do not arrive, and disappears when they do", async ({ open }) => {
-  const { before, deliver } = delayFile("**/words/en.json");
+  const { before, deliver } = delayFile("**/page.js");
   /** @type {Promise<void>} */
   let arrived;
   const page = await new Promise((show) => {
@@ -70,12 +75,12 @@ for (const [[what, block], tag] of variants(/** @type {const} */ ([["cannot be r
 for (const [status, tag] of variants([404, "unreachable"])) {
   test(`if the sample is ${status}, a notice appears and a retry works`, { tag }, async ({ open }) => {
     const visitor = await open({
-      before: (context) => context.route("**/assets/sample.png", (route) => (status === "unreachable" ? route.abort() : route.fulfill({ status }))),
+      before: (context) => context.route("**/sample.png", (route) => (status === "unreachable" ? route.abort() : route.fulfill({ status }))),
     });
     const { page } = visitor;
     await page.click("#welcome [data-action='sample']");
     assert.equal((await visitor.notice()).code, "not-loaded");
-    await page.context().unroute("**/assets/sample.png");
+    await page.context().unroute("**/sample.png");
     await page.click("#welcome [data-action='sample']");
     await visitor.untilFace();
   });

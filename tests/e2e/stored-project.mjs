@@ -1,7 +1,7 @@
 import { existsSync } from "node:fs";
 import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
 import path from "node:path";
-import { DIST, serve } from "./server.mjs";
+import { DIST, serve, versionIn } from "./server.mjs";
 import { Visitor } from "./visitor.mjs";
 
 const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(import.meta.dirname, "../../target");
@@ -12,8 +12,7 @@ const TARGET = process.env.CARGO_TARGET_DIR ?? path.join(import.meta.dirname, ".
  * @param {() => Promise<import("@playwright/test").Browser>} launch
  */
 export async function storedProject(launch) {
-  const [, version] = /name="version" content="(\w+)"/.exec(await readFile(path.join(DIST, "index.html"), "utf8"));
-  const file = path.join(TARGET, "projects", `${version}.rosto`);
+  const file = path.join(TARGET, "projects", `${await versionIn(DIST)}.rosto`);
   if (existsSync(file)) return readFile(file);
   const server = await serve(DIST, "/");
   const visitor = await Visitor.open(await launch(), server.url);

@@ -35,12 +35,13 @@ export class Visitor {
    * @property {((...values: any[]) => unknown | string)[]} [scripts] run in the page before its own
    * @property {boolean} [hasClock] installs a fake clock
    * @property {boolean} [expert] shows technical controls
+   * @property {"load" | "commit"} [waitUntil] when the visit begins
    *
    * @param {import("@playwright/test").Browser} browser
    * @param {string} url
    * @param {Visit & import("@playwright/test").BrowserContextOptions} [options]
    */
-  static async open(browser, url, { before, scripts = [], hasClock = false, expert = false, ...options } = {}) {
+  static async open(browser, url, { before, scripts = [], hasClock = false, expert = false, waitUntil = "load", ...options } = {}) {
     const context = await browser.newContext({
       viewport: { width: 1024, height: 640 },
       locale: "en-GB",
@@ -55,7 +56,7 @@ export class Visitor {
     await context.addInitScript(reportViolations, VIOLATION);
     const visitor = new Visitor(await context.newPage());
     visitor.address = url;
-    await visitor.page.goto(url);
+    await visitor.page.goto(url, { waitUntil });
     return visitor;
   }
 

@@ -3,6 +3,7 @@ import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { test } from "./fixtures.mjs";
 import { delayFile } from "./delayed-file.mjs";
+import { importParts } from "./parts.mjs";
 
 const ROOT = path.resolve(import.meta.dirname, "../..");
 const words = ["en", "pt"].map((language) => readFile(path.join(ROOT, `web/words/${language}.json`), "utf8"));
@@ -29,8 +30,9 @@ test("notices do not show the modules' English messages", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR" });
   const { page } = visitor;
   await visitor.untilLoaded();
-  const shown = await page.evaluate(async () => {
-    const { showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
+  const parts = await importParts(page, ["js/page/notice.js", "js/words/words.js"]);
+  const shown = await parts.evaluate(async ({ showError, loadWords }) => {
+    await loadWords("pt");
     const thrown = (code) => Object.assign(new Error("no landmark is held"), { code, hint: "Choose a landmark first." });
     return ["no-selection", "from-a-later-version"].map((code) => {
       showError(thrown(code));
@@ -44,8 +46,8 @@ test("notices do not show the modules' English messages", async ({ open }) => {
 });
 
 test("buttons stay hidden until their text has loaded", async ({ open }) => {
-  const { before, deliver } = delayFile("**/words/en.json");
-  const visitor = await open({ before });
+  const { before, deliver } = delayFile("**/page.js");
+  const visitor = await open({ before, waitUntil: "commit" });
   const seen = visitor.page.locator("#welcome button:visible");
   assert.equal(await seen.count(), 0);
   deliver();
@@ -54,13 +56,13 @@ test("buttons stay hidden until their text has loaded", async ({ open }) => {
 });
 
 test("the last of two languages chosen during loading is shown", async ({ open }) => {
-  const { before, deliver } = delayFile("**/words/pt.json");
+  const { before, deliver } = delayFile("**/pt-*.js");
   const visitor = await open({ before });
   const { page } = visitor;
   await visitor.untilInteractive();
   await page.selectOption("#language", "pt");
   await page.selectOption("#language", "en");
-  const arrived = page.waitForResponse("**/words/pt.json");
+  const arrived = page.waitForResponse("**/pt-*.js");
   deliver();
   await (await arrived).finished();
   await visitor.frames(10);
@@ -71,8 +73,8 @@ test("the last of two languages chosen during loading is shown", async ({ open }
 
 test("hints do not promise saved work if the browser does not save it", async ({ visitor }) => {
   await visitor.untilLoaded();
-  const hints = await visitor.page.evaluate(async () => {
-    const { setSavesWork, showError } = await import(new URL("js/page/notice.js", document.baseURI).href);
+  const parts = await importParts(visitor.page, ["js/page/notice.js"]);
+  const hints = await parts.evaluate(({ setSavesWork, showError }) => {
     const hint = () => document.getElementById("notice-hint").textContent;
     showError({ code: "device-lost", message: "", hint: "" });
     const kept = hint();

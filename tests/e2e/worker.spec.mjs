@@ -6,7 +6,7 @@ import { test } from "./fixtures.mjs";
 import { delayFile } from "./delayed-file.mjs";
 import { colourCount } from "./pixels.mjs";
 import { faceless } from "./pictures.mjs";
-import { DIST } from "./server.mjs";
+import { DIST, inVersion } from "./server.mjs";
 import { SAMPLE } from "./visitor.mjs";
 import { crashBefore, recordWorkers } from "./page-scripts.mjs";
 
@@ -66,7 +66,7 @@ test("a worker that does not load times out after a minute, and the next photo s
 });
 
 test("a worker on a slow connection does not time out", async ({ open, server }) => {
-  const module = `wasm/${path.basename(WORKER_MODULE)}`;
+  const module = await inVersion(path.basename(WORKER_MODULE));
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 100);
   /** @type {import("node:http").ServerResponse | undefined} */

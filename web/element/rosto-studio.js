@@ -1,4 +1,4 @@
-import { init } from "../js/files.js";
+import { init } from "../src/files.ts";
 import { download } from "../js/page/download.js";
 import { languageFor, loadWords, setLanguage } from "../js/words/words.js";
 import { leadOf } from "../js/work/face.js";

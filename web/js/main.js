@@ -5,7 +5,8 @@ import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
 import { completeHint, setUpHints } from "./page/hint.js";
 import { hideNotice, setUpNotice, showError } from "./page/notice.js";
-import { storeOffline } from "./page/offline.js";
+import { storeOffline } from "../src/offline.ts";
+import { useVersion } from "../src/version.ts";
 import { countRequests } from "./page/privacy.js";
 import { setUpProgress } from "./page/progress.js";
 import { remember, remembered } from "./page/remember.js";
@@ -43,13 +44,13 @@ import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpPulse } from "./viewport/pulse.js";
 import { setUpScene } from "./viewport/scene-switch.js";
 import { setUpViewKeys } from "./viewport/shortcuts.js";
-import { isFallback, prepareRestart } from "./viewport/studio-module.js";
 import { WholeTexture } from "./viewport/whole-texture.js";
 import { Host } from "./viewport/host.js";
 import { onLocaleChange, language, languages, loadWords, setLanguage, translatePage } from "./words/words.js";
 import { Autosave } from "./work/autosave.js";
 import { FaceFiles } from "./work/face-files.js";
 
+useVersion();
 await loadWords(remembered("language") ?? navigator.language);
 setUpLanguage();
 setUpNotice();
@@ -126,7 +127,7 @@ async function loadInBackground() {
   vision.start();
   await vision.ready;
   await host;
-  await Promise.allSettled([showSample(), validator.start(), storeOffline(isFallback()), prepareRestart()]);
+  await Promise.allSettled([showSample(), validator.start(), storeOffline()]);
 }
 
 /**

@@ -1,6 +1,6 @@
 import { asPageError, noFace } from "./page/page-error.js";
 import { nextTask } from "./page/tasks.js";
-import { isTrap } from "./viewport/studio-module.js";
+import { isTrap } from "../src/studio-module.ts";
 import { facesOf, filesWith, nameIn, photoOf } from "./work/face.js";
 import { shownBefore } from "./work/recent-faces.js";
 
@@ -51,7 +51,7 @@ const NO_LISTENERS = {
 const SAVED_NAME = /\.(glb|rosto)$/i;
 
 /** Errors that do not depend on the file. */
-const WORKER_CODES = new Set(["worker-died", "not-loaded", "not-as-built"]);
+const WORKER_CODES = new Set(["worker-died", "not-loaded"]);
 
 /** Rejection reason when a newer request supersedes this one. */
 export class Replaced extends Error {}

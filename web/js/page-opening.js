@@ -3,7 +3,7 @@ import { showHints } from "./page/hint.js";
 import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.js";
 import { hideProgress, showLoading, showStage } from "./page/progress.js";
 import { resetPanel } from "./page/reset-panel.js";
-import { isTrap } from "./viewport/studio-module.js";
+import { isTrap } from "../src/studio-module.ts";
 import { Opening } from "./opening.js";
 import { recentFaces } from "./work/recent-faces.js";
 

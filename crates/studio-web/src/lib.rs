@@ -25,10 +25,18 @@ mod texture;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
+pub use messages::catalogue;
 pub use paper::{PaperClaims, PaperMethod, PaperResults, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
 pub use snapshot::Snapshot;
 pub use studio::Studio;
+
+/// Replaces this instance of the module, whose memory may be corrupt after a trap. The next call creates the new one;
+/// objects of the old one then throw.
+#[wasm_bindgen(js_name = replaceInstance)]
+pub fn replace_instance() {
+    wasm_bindgen::handler::schedule_reinit();
+}
 
 /// Requests a GPU, binds it to the canvas, and creates an empty studio on it.
 ///

@@ -29,11 +29,12 @@ impl Studio {
     pub fn tick(&self) -> Result<Ts<Tick>, JsValue> {
         Ok(sent(&self.session.tick())?)
     }
+}
 
-    /// Returns the ids and ranges, which do not change.
-    pub fn catalogue(&self) -> Result<Ts<Catalogue>, JsValue> {
-        Ok(sent(&Catalogue::default())?)
-    }
+/// Returns the ids and ranges, which do not change.
+#[wasm_bindgen]
+pub fn catalogue() -> Result<Ts<Catalogue>, JsValue> {
+    Ok(sent(&Catalogue::default())?)
 }
 
 impl Studio {

@@ -47,7 +47,7 @@ pub fn npm(_: &[&str]) -> Result<()> {
     build(&kit)?;
     let folder = target().join("npm");
     remove_folder(&folder)?;
-    print!("{}", kit.run("node").arg("web/package/build.mjs").checked()?);
+    print!("{}", kit.run("node").arg("web/build/package.mjs").checked()?);
     let pack = kit.run("npm").words("pack --silent --pack-destination").arg(&folder).arg(folder.join("rosto"));
     println!("{} is ready.", folder.join(pack.checked()?.trim()).display());
     Ok(())
@@ -95,6 +95,6 @@ pub fn reproduce(_: &[&str]) -> Result<()> {
     });
     git("worktree remove --force").arg(&other).checked()?;
     compared.context("two builds of the same sources differ")?;
-    println!("Both builds are identical. dist/integrity.json lists the SHA-256 of each file.");
+    println!("Both builds are identical. The name of the folder in dist/ is a hash of its files.");
     Ok(())
 }

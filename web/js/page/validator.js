@@ -1,6 +1,6 @@
-import { scriptUrl } from "./trusted.js";
+import { scriptUrl } from "../../src/trusted.ts";
 
-/** @typedef {import("../worker/protocol.js").Verdict} Verdict */
+/** @typedef {import("../../src/verdict.ts").Verdict} Verdict */
 
 /** Maximum wait before the page counts as loaded without the validator. */
 const START_TIMEOUT_MS = 60_000;
@@ -20,7 +20,7 @@ export class Validator {
   start() {
     return new Promise((/** @type {(value: void) => void} */ resolve) => {
       setTimeout(resolve, START_TIMEOUT_MS);
-      const worker = new Worker(scriptUrl("js/worker/validator-worker.js"));
+      const worker = new Worker(scriptUrl(new URL("./validator-worker.js", import.meta.url)));
       worker.addEventListener("message", ({ data }) => {
         if (data.ready) {
           this.#worker = worker;

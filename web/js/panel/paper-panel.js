@@ -1,6 +1,6 @@
 import { announce } from "../page/announce.js";
 import { byId, enableAction, make, onAction } from "../page/dom.js";
-import { trustedSvg } from "../page/trusted.js";
+import { trustedSvg } from "../../src/trusted.ts";
 import { idName } from "../words/names.js";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";
 import { Stopwatch } from "./stopwatch.js";

@@ -2,7 +2,7 @@ import { byId } from "../page/dom.js";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";
 
 /**
- * @typedef {import("../worker/protocol.js").Verdict} Verdict
+ * @typedef {import("../../src/verdict.ts").Verdict} Verdict
  * @typedef {Verdict | "checking" | "unchecked"} Outcome
  * @typedef {{ file: string, bytes?: number, outcome: Outcome }} Shown bytes: file size, once it is made
  */

@@ -1,3 +1,4 @@
+import { fetchFile } from "../../src/files.ts";
 import { byId } from "../page/dom.js";
 
 const TIMEOUT_MS = 60_000;
@@ -30,8 +31,7 @@ export async function showSample() {
 
 async function fetchSample() {
   try {
-    const response = await fetch(new URL("../../assets/sample.png", import.meta.url), { signal: AbortSignal.timeout(TIMEOUT_MS) });
-    if (!response.ok) throw new Error(`status ${response.status}`);
+    const response = await fetchFile(new URL("./sample.png", import.meta.url), { signal: AbortSignal.timeout(TIMEOUT_MS) });
     return await response.blob();
   } catch (error) {
     throw { code: "not-loaded", message: `sample.png: ${error}`, hint: "" };

@@ -1,6 +1,5 @@
-import { filesBase } from "../files.js";
-import { listHash } from "../page/integrity.js";
-import { scriptUrl } from "../page/trusted.js";
+import { fileUrl } from "../../src/files.ts";
+import { scriptUrl } from "../../src/trusted.ts";
 import { FrameQueue } from "./frame-queue.js";
 
 /**
@@ -52,14 +51,17 @@ export class VisionClient {
     if (this.#worker) return;
     this.#starts += 1;
     this.#isReady = false;
-    const worker = createWorker();
+    const worker = new Worker(scriptUrl(fileUrl(new URL("./vision-worker.js", import.meta.url))));
     worker.addEventListener("message", (event) => this.#onMessage(worker, event.data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();
       this.#terminate(worker, { code: "not-loaded", message: event.message ?? "", hint: "" });
     });
     this.#worker = worker;
-    this.#post({ type: "load", base: filesBase(), list: listHash() });
+    const module = fileUrl(new URL("./rosto-vision-web_bg.wasm", import.meta.url)).href;
+    const detector = fileUrl(new URL("./face_detector.onnx", import.meta.url)).href;
+    const landmarks = fileUrl(new URL("./face_landmarks_attention.onnx", import.meta.url)).href;
+    this.#post({ type: "load", module, detector, landmarks });
   }
 
   /** Terminates the worker, which frees its memory and rejects pending requests. The next request starts another. */
@@ -247,10 +249,4 @@ export class VisionClient {
       this.#resolveReady = resolve;
     });
   }
-}
-
-/** On a page with an integrity list, uses its Trusted Types policy; elsewhere, the form that bundlers recognise. */
-function createWorker() {
-  if (listHash()) return new Worker(scriptUrl("js/worker/vision-worker.js"), { type: "module" });
-  return new Worker(new URL("../worker/vision-worker.js", import.meta.url), { type: "module" });
 }

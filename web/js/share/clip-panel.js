@@ -2,7 +2,7 @@ import { announce } from "../page/announce.js";
 import { byId } from "../page/dom.js";
 import { download } from "../page/download.js";
 import { toast } from "../page/toast.js";
-import { isTrap } from "../viewport/studio-module.js";
+import { isTrap } from "../../src/studio-module.ts";
 import { onLocaleChange, t } from "../words/words.js";
 import { fileName } from "../work/file-name.js";
 import { recordClip } from "./clip.js";

@@ -1,5 +1,5 @@
 import { asPageError } from "../page/page-error.js";
-import { detach, studioModule } from "./studio-module.js";
+import { studioModule } from "../../src/studio-module.ts";
 
 /** @typedef {import("./host.js").Host} Host */
 
@@ -63,7 +63,7 @@ export class DeviceLossHandler {
     const { instance, canvas } = this.#host;
     try {
       const renderer = await studioModule().createRenderer(canvas);
-      if (this.#isReplaced(instance)) return this.#host.instance === instance ? renderer.free() : detach(renderer);
+      if (this.#isReplaced(instance)) return renderer.free();
       this.#host.answer((studio) => studio.useRenderer(renderer));
       this.watch();
       this.#host.requestFrame();

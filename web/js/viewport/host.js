@@ -1,7 +1,7 @@
 import { asPageError } from "../page/page-error.js";
 import { afterNextFrame, nextTask } from "../page/tasks.js";
 import { DeviceLossHandler } from "./device-loss.js";
-import { detach, isTrap, markTrapped, openStudio, restartingError, restartStudio } from "./studio-module.js";
+import { isTrap, markTrapped, openStudio, restartingError, restartStudio, studioModule } from "../../src/studio-module.ts";
 import { watchWebGl } from "./webgl-errors.js";
 
 /**
@@ -79,7 +79,7 @@ export class Host {
     this.canvas = canvas;
     this.#studio = studio;
     /** Ids and ranges, which do not change. */
-    this.catalogue = studio.catalogue();
+    this.catalogue = studioModule().catalogue();
     this.#notices = notices;
     this.#gpu = new DeviceLossHandler(this, notices);
     this.#followSize();
@@ -229,7 +229,7 @@ export class Host {
         if (instance !== this.#instance) throw restartingError();
         return this.answer(() => question(object));
       },
-      end: () => (instance === this.#instance ? object.free() : detach(object)),
+      end: () => object.free(),
     };
   }
 
@@ -340,7 +340,6 @@ export class Host {
     if (this.#isBroken) return;
     this.#isBroken = true;
     this.#instance = {};
-    detach(this.#studio);
     console.warn("restarting the module after a trap:", trap);
     const now_ms = performance.now();
     this.#restarts = [...this.#restarts.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];

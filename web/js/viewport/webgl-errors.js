@@ -1,4 +1,4 @@
-import { isFallback } from "./studio-module.js";
+import { isFallback } from "../../src/studio-module.ts";
 
 /**
  * Clears pending WebGL errors and returns a function that throws if a new one has occurred. WebGL2 does not throw when

@@ -1,4 +1,5 @@
-import { fileUrl } from "../files.js";
+import english from "../../words/en.json" with { type: "json" };
+import languageList from "../../words/languages.json" with { type: "json" };
 
 /** @typedef {keyof typeof import("../../words/en.json")} WordKey */
 /** @typedef {Record<WordKey, string>} Words */
@@ -8,14 +9,17 @@ import { fileUrl } from "../files.js";
 /** Some texts differ for touch input. */
 const TOUCH = matchMedia("(pointer: coarse)");
 
-/** Fallback for keys missing in another language. */
+/** Its words are part of the page, and replace keys that another language lacks. */
 const FALLBACK = "en";
 
 /** @type {Language[]} */
-let available = [];
-let fallbackWords = /** @type {Words} */ ({});
+const available = languageList;
+/** @type {Words} */
+const fallbackWords = english;
+/** Loads the words of the other languages. @type {Record<string, () => Promise<{ default: Words }>>} */
+const OTHERS = { pt: () => import("../../words/pt.json", { with: { type: "json" } }) };
 /** @type {Map<string, Words>} texts by language; `{name}` is a placeholder */
-const WORDS = new Map();
+const WORDS = new Map([[FALLBACK, fallbackWords]]);
 
 let current = FALLBACK;
 /** Requested language, which may still be loading. */
@@ -40,11 +44,9 @@ export function loadWords(tag) {
 
 /** @param {string} tag */
 async function loadInitial(tag) {
-  [available, fallbackWords] = await Promise.all([fetchJson("languages"), fetchJson(FALLBACK)]);
-  WORDS.set(FALLBACK, fallbackWords);
-  current = languageFor(tag);
-  requested = current;
-  await loadLanguage(current);
+  requested = languageFor(tag);
+  // Without its words, the page starts in English.
+  if (await loadLanguage(requested).then(() => true, () => false)) current = requested;
   // Preload the other languages in the background.
   for (const { id } of available) loadLanguage(id).catch(() => {});
 }
@@ -159,12 +161,6 @@ export function notifyLocaleChange() {
 
 /** @param {string} id */
 async function loadLanguage(id) {
-  if (!WORDS.has(id)) WORDS.set(id, await fetchJson(id));
-}
-
-/** @param {string} name */
-async function fetchJson(name) {
-  const response = await fetch(fileUrl(`words/${name}.json`, new URL(`../../words/${name}.json`, import.meta.url)));
-  if (!response.ok) throw new Error(`words/${name}.json: status ${response.status}`);
-  return response.json();
+  const words = WORDS.has(id) ? undefined : await OTHERS[id]?.();
+  if (words) WORDS.set(id, words.default);
 }

@@ -44,7 +44,7 @@
  * @typedef {{ type: "open", id: number, key: string, file: Blob }} OpenRequest
  * @typedef {{ type: "follow", id: number, frame: ImageBitmap, time_ms: number }} FollowRequest
  *
- * @typedef {{ type: "load", base: string | undefined, list: string }
+ * @typedef {{ type: "load", module: string, detector: string, landmarks: string }
  *   | OpenRequest
  *   | FaceTask & { id: number, files: SourceFile[] }
  *   | FollowRequest
@@ -60,12 +60,6 @@
  *   | { type: "followed", id: number, followed: FollowedFrame }
  *   | { type: "not-followed", id: number, error: PageError }
  *   | { type: "trapped", id: number, message: string }} Reply
- */
-
-/**
- * The validator's number of issues of each severity.
- *
- * @typedef {{ errors: number, warnings: number, remarks: number }} Verdict
  */
 
 /** Makes this file a module, for its types. */

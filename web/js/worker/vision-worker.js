@@ -11,8 +11,7 @@
  * @typedef {Extract<Request, { type: "load" }>} LoadRequest
  */
 import init, { Vision } from "../../wasm/rosto-vision-web.js";
-import { init as setBase } from "../files.js";
-import { verifiedFile, verifiedModule, setListHash } from "../page/integrity.js";
+import { fetchFile } from "../../src/files.ts";
 import { asPageError } from "../page/page-error.js";
 import { bytesOf } from "../work/bytes.js";
 import { bitmapOf, encoded } from "../work/pixels.js";
@@ -35,7 +34,7 @@ const REPORT_EVERY_MS = 1000;
 
 /** @type {(place: LoadRequest) => void} */
 let onLoadRequest = () => {};
-/** The page's first message, with the base URL and the hash of the integrity list. @type {Promise<LoadRequest>} */
+/** The page's first message, with the URLs of the files. @type {Promise<LoadRequest>} */
 const loadRequest = new Promise((resolve) => (onLoadRequest = resolve));
 const vision = loadRequest.then(load);
 /** @type {Promise<void> | undefined} */
@@ -75,13 +74,10 @@ function handle(request) {
 }
 
 /** @param {LoadRequest} request */
-async function load({ base, list }) {
-  if (base !== undefined) setBase(base);
-  setListHash(list);
+async function load({ module }) {
   // In parallel. Errors surface where the networks are used.
   withNetworks().catch(() => {});
-  const url = new URL("../../wasm/rosto-vision-web_bg.wasm", import.meta.url);
-  await init({ module_or_path: await verifiedModule("wasm/rosto-vision-web_bg.wasm", url, reportLoading) });
+  await init({ module_or_path: fetchReported(module) });
   return new Vision();
 }
 
@@ -95,24 +91,23 @@ function withNetworks() {
 }
 
 async function loadNetworks() {
-  const detectorUrl = new URL("../../assets/face_detector.onnx", import.meta.url);
-  const landmarksUrl = new URL("../../assets/face_landmarks_attention.onnx", import.meta.url);
-  const files = Promise.all([
-    verifiedFile("assets/face_detector.onnx", detectorUrl, reportLoading),
-    verifiedFile("assets/face_landmarks_attention.onnx", landmarksUrl, reportLoading),
-  ]);
-  const [detector, landmarks] = await files.catch((error) => Promise.reject(asPageError(error, "not-loaded")));
-  (await vision).loadNetworks(new Uint8Array(detector), new Uint8Array(landmarks));
+  const { detector, landmarks } = await loadRequest;
+  const files = [detector, landmarks].map(async (url) => new Uint8Array(await (await fetchReported(url)).arrayBuffer()));
+  const networks = await Promise.all(files).catch((error) => Promise.reject(asPageError(error, "not-loaded")));
+  const [detectorBytes = new Uint8Array(), landmarksBytes = new Uint8Array()] = networks;
+  (await vision).loadNetworks(detectorBytes, landmarksBytes);
 }
 
 /**
- * Reports that a file is arriving, which resets the page's watchdog on a slow connection. Errors surface where the file
- * is used.
+ * Fetches a file, and reports that it is arriving, which resets the page's watchdog on a slow connection.
  *
- * @param {Response} response
+ * @param {string} url
  */
-function reportLoading(response) {
+async function fetchReported(url) {
+  const response = await fetchFile(url);
+  // Errors surface where the file is used.
   readAndReport(response.clone()).catch(() => {});
+  return response;
 }
 
 /** @param {Response} response a copy, read only to observe its progress */

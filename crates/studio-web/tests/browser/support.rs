@@ -64,8 +64,8 @@ pub fn tick(studio: &Studio) -> Value {
     json_of(studio.tick().unwrap())
 }
 
-pub fn catalogue(studio: &Studio) -> Value {
-    json_of(studio.catalogue().unwrap())
+pub fn catalogue() -> Value {
+    json_of(rosto_studio_web::catalogue().unwrap())
 }
 
 /// A studio with the canonical face, as detected in a reddish photo.

@@ -15,7 +15,7 @@ async fn the_empty_state_is_drawn_and_not_editable() {
     assert_eq!(apply(&mut studio, json!({ "hover": [160, 160] })).get("hovered"), None);
     assert_eq!(refusal(&mut studio, json!({ "select": { "landmark": NOSE_TIP } })), "no-face");
     assert_eq!(code(&studio.saved_edits().unwrap_err()), "no-face");
-    assert_eq!(catalogue(&studio)["landmarks"][NOSE_TIP as usize], "nose-tip");
+    assert_eq!(catalogue()["landmarks"][NOSE_TIP as usize], "nose-tip");
 }
 
 #[wasm_bindgen_test]
@@ -43,7 +43,7 @@ async fn a_face_has_its_photos_colours_and_does_not_move() {
 #[wasm_bindgen_test]
 async fn a_sliders_commit_matches_its_ticks_on_the_gpu() {
     let mut studio = studio().await;
-    for slider in catalogue(&studio)["sliders"].as_array().unwrap() {
+    for slider in catalogue()["sliders"].as_array().unwrap() {
         let (id, max_mm) = (&slider["id"], slider["range"]["max"].as_f64().unwrap());
         apply(&mut studio, json!({ "slide": [id, 0.5 * max_mm] }));
         apply(&mut studio, json!({ "slide": [id, max_mm] }));

@@ -1,8 +1,13 @@
-import { RostoStudio } from "./element/rosto-studio.js";
-import type { StudioSnapshot } from "./element/state.js";
+/** The npm package. */
+import type { RostoStudio } from "../element/rosto-studio.js";
+import type { StudioSnapshot } from "../element/state.js";
 
-export { RostoStudio };
-export type { StudioSnapshot };
+export { FaceSession } from "../element/face-session.js";
+export { RostoStudio } from "../element/rosto-studio.js";
+export type { StudioSnapshot } from "../element/state.js";
+export { VisionClient } from "../js/photo/vision-client.js";
+export { Host } from "../js/viewport/host.js";
+export { init } from "./files.ts";
 
 /** Detail of the event `rosto-face`. */
 export interface ShownFace {

@@ -1,14 +1,17 @@
-// Compares a published page with a local build, file by file: node web/compare-published.mjs URL [FOLDER]. The folder
+// Compares a published page with a local build, file by file: node web/build/compare.mjs URL [FOLDER]. The folder
 // defaults to dist/.
-import { readFile } from "node:fs/promises";
+import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 
 const [address, folder = "dist"] = process.argv.slice(2);
-if (!address) throw new Error("missing URL; usage: node web/compare-published.mjs https://…/ [FOLDER]");
+if (!address) throw new Error("missing URL; usage: node web/build/compare.mjs https://…/ [FOLDER]");
 const published = new URL(address.endsWith("/") ? address : `${address}/`);
 
-const { files } = JSON.parse(String(await readFile(path.join(folder, "integrity.json"))));
-const names = ["index.html", "integrity.json", "service-worker.js", ...Object.keys(files)];
+/** Files that hosts read and do not serve. */
+const UNSERVED = new Set(["_headers", "vercel.json", "nginx.conf"]);
+const entries = await readdir(folder, { recursive: true, withFileTypes: true });
+const files = entries.filter((entry) => entry.isFile() && !entry.name.startsWith(".") && !UNSERVED.has(entry.name));
+const names = files.map((entry) => path.relative(folder, path.join(entry.parentPath, entry.name)).replaceAll(path.sep, "/"));
 let differing = 0;
 for (const name of names) {
   const difference = await differenceOf(name);

@@ -1,0 +1,34 @@
+// What esbuild makes of the sources.
+import path from "node:path";
+
+export const WEB = path.resolve(import.meta.dirname, "..");
+
+/** @type {import("esbuild").BuildOptions} */
+export const SHARED = {
+  absWorkingDir: WEB,
+  bundle: true,
+  minify: true,
+  legalComments: "inline",
+  target: "es2023",
+  charset: "utf8",
+  logLevel: "warning",
+};
+
+/** Scripts for one folder; parts that load later become chunks there. @type {import("esbuild").BuildOptions} */
+export const MODULES = { ...SHARED, format: "esm", splitting: true, chunkNames: "[name]-[hash]" };
+
+/** The worker is one classic script, which bundlers of other projects can copy. @type {import("esbuild").BuildOptions} */
+export const WORKER = {
+  ...SHARED,
+  format: "iife",
+  entryPoints: { "vision-worker": "js/worker/vision-worker.js" },
+  // Of the module's default URL, which is not used.
+  define: { "import.meta.url": "location.href" },
+};
+
+/** @type {import("esbuild").BuildOptions[]} */
+export const BUNDLES = [
+  { ...MODULES, entryPoints: { page: "js/main.js" } },
+  WORKER,
+  { ...SHARED, format: "iife", entryPoints: { "validator-worker": "src/validator-worker.ts", start: "src/start.ts", page: "css/page.css" } },
+];

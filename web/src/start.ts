@@ -1,0 +1,48 @@
+/**
+ * Shows a notice if the page does not start. A separate classic script, because the page's own may be missing or
+ * unsupported. `page.js` dispatches "started".
+ */
+
+const folder = (document.currentScript as HTMLScriptElement).src.replace(/[^/]*$/, "");
+// While the page's script arrives. Browsers without WebGPU use another module.
+if ("gpu" in navigator) document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "fetch", crossOrigin: "", href: `${folder}rosto-studio-web_bg.wasm` }));
+
+/** Show the notice after this time; it disappears if the page starts later. */
+const TIMEOUT_MS = 20_000;
+
+let hasStarted = false;
+let lacksPart = false;
+
+// Resource errors do not bubble, so listen in the capture phase.
+addEventListener("error", ({ target }) => {
+  const isPart = target instanceof HTMLScriptElement || (target instanceof HTMLLinkElement && target.rel === "stylesheet");
+  if (isPart) lacksPart = true;
+  if (isPart || (!hasStarted && target === window)) show(true);
+}, true);
+
+addEventListener("started", () => {
+  hasStarted = true;
+  show(lacksPart);
+});
+
+setTimeout(() => {
+  if (!hasStarted) show(true);
+}, TIMEOUT_MS);
+
+function show(isShown: boolean) {
+  // This script runs before the notice is parsed.
+  if (document.readyState === "loading") {
+    document.addEventListener("DOMContentLoaded", () => show(isShown), { once: true });
+    return;
+  }
+  document.getElementById("not-started")?.toggleAttribute("data-shown", isShown);
+  document.getElementById("start-again")?.addEventListener("click", reload);
+}
+
+/** Reloads the page and its parts, of which the browser may keep a damaged copy. */
+async function reload(event: Event) {
+  event.preventDefault();
+  const parts = [...document.querySelectorAll<HTMLScriptElement>("script[src]")].map(({ src }) => src);
+  await Promise.allSettled(parts.map((part) => fetch(part, { cache: "reload" })));
+  location.reload();
+}
