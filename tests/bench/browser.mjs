@@ -1,8 +1,8 @@
 // Benchmarks Rosto, MediaPipe's Face Mesh and onnxruntime-web in headless Chrome: node tests/bench/browser.mjs [ROUNDS]
 //
 // Runs each measurement once per round in a fresh browser, and reverses the order from round to round. Prints the
-// medians of all rounds, one JSON object per line. Needs the built page in dist/ and the networks module in
-// target/bench/; `cargo xtask bench browser` builds both.
+// medians of all rounds, one JSON object per line. Needs the built page in dist/, the npm package in target/npm/ and
+// the networks module in target/bench/; `cargo xtask bench browser` builds them.
 import path from "node:path";
 import { launch } from "../e2e/browser.mjs";
 import { serve } from "../e2e/server.mjs";

@@ -3,6 +3,7 @@ import * as frames from "/tests/e2e/video-frames.mjs";
 
 const PHOTO = "/web/assets/sample.png";
 const MEDIAPIPE = "/node_modules/@mediapipe/face_mesh/";
+const PACKAGE = "/target/npm/rosto/";
 const ROSTO = "rosto";
 const FACE_MESH = "@mediapipe/face_mesh";
 /** Photos measured after the first. */
@@ -19,10 +20,10 @@ const EVENTS = 20;
 export async function photosByRosto() {
   const photo = await bytes(PHOTO);
   const { ms: start_ms, value: vision } = await timed(async () => {
-    const { default: init, Vision } = await import("/dist/wasm/rosto-vision-web.js");
-    await init();
+    const { default: init, Vision } = await import("/web/wasm/rosto-vision-web.js");
+    await init({ module_or_path: `${PACKAGE}rosto-vision-web_bg.wasm` });
     const vision = new Vision();
-    vision.loadNetworks(await bytes("/dist/assets/face_detector.onnx"), await bytes("/dist/assets/face_landmarks_attention.onnx"));
+    vision.loadNetworks(await bytes(`${PACKAGE}face_detector.onnx`), await bytes(`${PACKAGE}face_landmarks_attention.onnx`));
     return vision;
   });
   return photos(ROSTO, start_ms, async () => {
@@ -129,6 +130,7 @@ async function portraitPixels() {
 }
 
 async function followRosto() {
+  globalThis.parts = await import(`${PACKAGE}rosto.js`);
   const { client } = await import("/tests/e2e/following-page.mjs");
   const vision = await client();
   return async (pixels, time_ms) => {

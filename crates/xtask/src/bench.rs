@@ -65,6 +65,7 @@ fn batches(_: &Kit) -> Result<Run> {
 
 fn browser(kit: &Kit) -> Result<Run> {
     page::build(kit)?;
+    kit.run("node").arg("web/build/package.mjs").checked()?;
     let build = kit.run("cargo").words("build --locked --profile web --target").arg(WASM);
     build.words("--package rosto-vision-web --features bench --example networks").checked()?;
     let bind = kit.run("wasm-bindgen").words("--target web --no-typescript --out-dir").arg(root().join("target/bench"));
