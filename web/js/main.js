@@ -5,6 +5,8 @@ import { setUpDialogs } from "./page/dialogs.js";
 import { byId, onAction } from "./page/dom.js";
 import { completeHint, setUpHints } from "./page/hint.js";
 import { hideNotice, setUpNotice, showError } from "./page/notice.js";
+import { setUpPanels } from "../src/page-panels.ts";
+import { textOf } from "../src/phrase.ts";
 import { storeOffline } from "../src/offline.ts";
 import { useVersion } from "../src/version.ts";
 import { countRequests } from "./page/privacy.js";
@@ -14,20 +16,9 @@ import { setUpTabs } from "./page/tabs.js";
 import { afterNextFrame } from "./page/tasks.js";
 import { setUpTheme } from "./page/theme.js";
 import { Validator } from "./page/validator.js";
-import { setUpChoices } from "./panel/choices.js";
-import { EditOptions } from "./panel/edit-options.js";
 import { setUpExportPanel } from "./panel/export-panel.js";
-import { setUpExpert } from "./panel/expert.js";
-import { ExpressionPanel } from "./panel/expression-panel.js";
-import { FacePanel } from "./panel/face-panel.js";
-import { setUpHistoryPanel } from "./panel/history-panel.js";
-import { setUpInPhotoPanel } from "./panel/in-photo-panel.js";
-import { LandmarkPanel } from "./panel/landmark-panel.js";
 import { PaperPanel } from "./panel/paper-panel.js";
 import { PhotosPanel } from "./panel/photos-panel.js";
-import { setUpSelectionMode } from "./panel/selection-mode.js";
-import { SizePanel } from "./panel/size-panel.js";
-import { setUpViewPanel } from "./panel/view-panel.js";
 import { setUpCamera } from "./photo/camera.js";
 import { FaceChoice } from "./photo/face-choice.js";
 import { setUpPhotoInput } from "./photo/photo-input.js";
@@ -43,7 +34,7 @@ import { setUpViewportInsets } from "./viewport/viewport-insets.js";
 import { LandmarkMarks } from "./viewport/landmark-marks.js";
 import { setUpPulse } from "./viewport/pulse.js";
 import { setUpScene } from "./viewport/scene-switch.js";
-import { setUpViewKeys } from "./viewport/shortcuts.js";
+import { setUpEditKeys, setUpViewKeys } from "./viewport/shortcuts.js";
 import { WholeTexture } from "./viewport/whole-texture.js";
 import { Host } from "./viewport/host.js";
 import { onLocaleChange, language, languages, loadWords, setLanguage, translatePage } from "./words/words.js";
@@ -69,7 +60,6 @@ const host = openHost();
 const faceChoice = new FaceChoice((face) => opening.openFace(face));
 const opening = pageOpening({ host, vision, overlay, faceChoice, autosave, onOpened: (extraction_ms) => paper?.forget(extraction_ms) });
 
-host.then(setUpExpert);
 setUpTheme((theme) => host.then((opened) => opened?.apply({ theme })));
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
@@ -84,7 +74,10 @@ async function openHost() {
   try {
     const opened = await Host.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice });
     overlay.follow(opened);
-    new EditOptions(opened);
+    opened.onSaid((said) => announce(textOf(said)));
+    setUpPanels(opened);
+    setUpEditKeys({ undo: () => opened.apply("undo"), redo: () => opened.apply("redo"), cancel: () => opened.apply("cancel") });
+    followMotionSetting(opened);
     new LandmarkMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, onGesture: completeHint, announce });
     setUpBeforeAfter(opened);
     setUpPulse(opened);
@@ -93,16 +86,7 @@ async function openHost() {
     setUpScene(opened);
     setUpSplitView(opened);
     setUpBrushMarks(opened);
-    new LandmarkPanel(opened);
-    setUpSelectionMode(opened);
-    setUpChoices(opened);
-    new FacePanel(opened);
-    new ExpressionPanel(opened);
     new PhotosPanel(opened, opening, vision);
-    setUpViewPanel(opened);
-    new SizePanel(opened);
-    setUpInPhotoPanel(opened);
-    setUpHistoryPanel(opened);
     const files = new FaceFiles(opened, vision, opening);
     new WholeTexture(opened, files, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
     setUpExportPanel(opened, opening, validator, files);
@@ -141,6 +125,14 @@ async function resetView(opened) {
   opened.apply({ "reduced-motion": matchMedia("(prefers-reduced-motion: reduce)").matches });
   opened.apply("close");
   paper?.forget(undefined);
+}
+
+/** @param {Host} opened */
+function followMotionSetting(opened) {
+  const setting = matchMedia("(prefers-reduced-motion: reduce)");
+  const apply = () => opened.apply({ "reduced-motion": setting.matches });
+  setting.addEventListener("change", apply);
+  apply();
 }
 
 function setUpLanguage() {

@@ -7,7 +7,7 @@ use rosto_studio::{Details, Operator};
 
 use crate::message::value::CONSTRAINTS;
 use crate::saved::MAX_SHOWN_DENSITY;
-use crate::{AnchorChoice, OpenFace, Preset, SelectionMode, Session, TextureSource};
+use crate::{AnchorChoice, Intent, OpenFace, Preset, SelectionMode, Session, TextureSource};
 
 rosto_mesh::named! {
     /// A setting with named values.
@@ -61,6 +61,27 @@ impl Choice {
             Self::Triangulation => owned(&Triangulation::ALL.map(Triangulation::id)),
             Self::Density => (0..=MAX_SHOWN_DENSITY).map(|density| density.to_string()).collect(),
         }
+    }
+}
+
+impl Intent {
+    /// Sets a setting to the value with an id; `None` if there is no such value.
+    pub(crate) fn choosing(choice: Choice, id: &str) -> Option<Self> {
+        Some(match choice {
+            Choice::SelectionMode => Self::Mode(SelectionMode::from_id(id)?),
+            Choice::Preset => Self::Preset(Preset::from_id(id)?),
+            Choice::Operator => Self::Operator(Operator::from_id(id)?),
+            Choice::Constraint => Self::Constraint(CONSTRAINTS.into_iter().find(|(one, _)| *one == id)?.1),
+            Choice::Details => Self::Details(Details::from_id(id)?),
+            Choice::Anchors => Self::Anchors(AnchorChoice::from_id(id)?),
+            Choice::Scene => Self::Scene(Scene::from_id(id)?),
+            Choice::Shading => Self::Shading(ShadingMode::from_id(id)?),
+            Choice::TextureSource => Self::TextureSource(TextureSource::from_id(id)?),
+            Choice::TextureSize => Self::TextureSize(TextureSize::from_id(id)?),
+            Choice::Lens => Self::Lens(Lens::from_id(id)?),
+            Choice::Triangulation => Self::Triangulation(Triangulation::from_id(id)?),
+            Choice::Density => Self::Density(id.parse().ok().filter(|density| *density <= MAX_SHOWN_DENSITY)?),
+        })
     }
 }
 

@@ -21,6 +21,12 @@ pub enum SessionError {
         /// Number of vertices.
         count: usize,
     },
+    /// No such widget in the panels, or a value of another type.
+    #[error("there is no widget {id:?} for such a value")]
+    NoSuchWidget {
+        /// Id of the widget.
+        id: String,
+    },
     /// No such photo of the face.
     #[error("there is no photo {photo}; this face has {count}, counted from 0")]
     NoSuchPhoto {

@@ -20,6 +20,7 @@ mod live_preview;
 mod marks;
 mod message;
 mod open_face;
+mod panel;
 mod range;
 mod rows;
 mod saved;
@@ -43,8 +44,9 @@ pub use formats::{FormatFacts, formats};
 pub use gesture::Hovered;
 pub use live_preview::LivePreview;
 pub use message::{
-    Applied, Catalogue, Entry, LightSettings, MAX_LISTED, PhotoState, Refusal, SliderRange, State, Target, Tick,
+    Applied, Catalogue, LightSettings, PhotoState, SliderRange, State, Tick,
 };
+pub use panel::{ChoiceLook, Control, GroupLook, Level, MAX_LISTED, PanelDiff, Part, Phrase, Tone, Value, Widget};
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
 pub use range::Range;
 pub use rows::Row;

@@ -4,20 +4,16 @@
 //! vector as an array of numbers, and a setting with two values as a boolean.
 
 mod catalogue;
-mod entry;
 mod state;
-mod target;
 mod tick;
 pub(crate) mod value;
 
 use serde::Serialize;
 use tsify::Tsify;
 
-use crate::{Changed, Session, SessionError};
+use crate::{Changed, Phrase, Session, SessionError};
 pub use catalogue::{Catalogue, SliderRange};
-pub use entry::{Entry, MAX_LISTED};
-pub use state::{PhotoState, Refusal, State};
-pub use target::Target;
+pub use state::{PhotoState, State};
 pub use tick::Tick;
 pub use value::LightSettings;
 
@@ -29,10 +25,12 @@ pub struct Applied {
     pub changed: Changed,
     /// The vertex under the pointer or pointed at elsewhere, which is highlighted.
     pub hovered: Option<u32>,
-    /// Target of a drag that starts there.
-    pub hovered_target: Option<Target>,
+    /// Name of what a drag that starts there moves.
+    pub hovered_name: Option<Phrase>,
     /// Whether the pressed pointer has grabbed something; if not, it orbits the view.
     pub has_grabbed: bool,
+    /// Announcement for screen readers.
+    pub said: Option<Phrase>,
 }
 
 impl Session {
@@ -41,9 +39,13 @@ impl Session {
     /// # Errors
     /// See [`Self::apply`].
     pub fn answer(&mut self, intent: crate::Intent) -> Result<Applied, SessionError> {
+        let intent = self.resolved(intent)?;
+        let said = self.said_before(&intent);
+        let selects = matches!(intent, crate::Intent::Select(_) | crate::Intent::SelectAt(_));
         let changed = self.apply(intent)?;
+        let said = said.or_else(|| self.selected_name().filter(|_| selects));
         let hovered = self.hovered().vertex;
-        let hovered_target = hovered.map(|vertex| self.target_at(vertex)).transpose()?;
-        Ok(Applied { changed, hovered, hovered_target, has_grabbed: self.has_grabbed() })
+        let hovered_name = hovered.map(|vertex| self.name_at(vertex)).transpose()?;
+        Ok(Applied { changed, hovered, hovered_name, has_grabbed: self.has_grabbed(), said })
     }
 }

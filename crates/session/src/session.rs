@@ -19,6 +19,7 @@ use rosto_stage::{Axis, Scene, Stage};
 use crate::gesture::{Gesture, Hovered};
 use crate::live_preview::LivePreview;
 use crate::open_face::OpenFace;
+use crate::panel::PanelState;
 use crate::seeds::Seeds;
 use crate::texture::TextureRequests;
 use crate::{Changed, EditOptions, SelectionMode, SessionError, View, marks};
@@ -41,6 +42,7 @@ pub struct Session {
     brush_px: Option<f64>,
     live_preview: Option<LivePreview>,
     textures: TextureRequests,
+    pub(crate) panel: PanelState,
 }
 
 type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
@@ -60,6 +62,7 @@ impl Session {
             brush_px: None,
             live_preview: None,
             textures: TextureRequests::default(),
+            panel: PanelState::default(),
         };
         session.stage.render_settings_mut().dotted = Some(LANDMARK_COUNT as u32);
         session.show_empty();
@@ -139,6 +142,7 @@ impl Session {
     /// # Errors
     /// [`SessionError`] if the action is refused; the session is unchanged.
     pub fn apply(&mut self, intent: Intent) -> Result {
+        let intent = self.resolved(intent)?;
         let is_in_hand = intent.ends_idle_rotation();
         let changed = self.apply_atomically(intent)?;
         if is_in_hand {
@@ -148,6 +152,7 @@ impl Session {
             self.check_pointer();
             self.show_marks();
             self.keep_in_frame();
+            self.update_tape();
         }
         if changed >= Changed::Tick {
             marks::show_offset(&mut self.stage, self.face.as_ref());

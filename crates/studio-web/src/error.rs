@@ -121,6 +121,7 @@ impl From<SessionError> for FacadeError {
             SessionError::NoFace => return Self::no_face(),
             SessionError::NothingSelected => ("no-selection", "Select a point first."),
             SessionError::NoSuchVertex { .. } => ("bad-vertex", "Choose an existing point."),
+            SessionError::NoSuchWidget { .. } => ("bad-choice", "Use the id of a widget, and a value of its type."),
             SessionError::NoSuchPhoto { .. } => ("bad-number", "Choose an existing photo."),
             SessionError::OutOfRange { .. } => ("bad-number", "Enter a number in this range."),
             SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::PhotoEdit(_) => {

@@ -1,4 +1,4 @@
-use rosto_session::{Applied, Catalogue, Intent, State, Tick};
+use rosto_session::{Applied, Catalogue, Changed, Intent, PanelDiff, State, Tick};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
@@ -23,6 +23,14 @@ impl Studio {
     /// Returns the state that panels show.
     pub fn state(&self) -> Result<Ts<State>, JsValue> {
         Ok(sent(&self.session.state())?)
+    }
+
+    /// Returns the widgets of the panels that have changed since the last call; at first, all sections. `isTick`: only
+    /// the edit in progress has changed.
+    #[wasm_bindgen(js_name = panelDiff)]
+    pub fn panel_diff(&mut self, #[wasm_bindgen(js_name = isTick)] is_tick: bool) -> Result<Ts<PanelDiff>, JsValue> {
+        let changed = if is_tick { Changed::Tick } else { Changed::Document };
+        Ok(sent(&self.session.panel_diff(&mut self.panel, changed))?)
     }
 
     /// Returns the values that the edit in progress moves.

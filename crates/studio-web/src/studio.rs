@@ -1,7 +1,7 @@
 use glam::DVec2;
 use rosto::SavedFace;
 use rosto_face::{Triangulation, canonical_positions_m};
-use rosto_session::{Changed, Intent, OpenFace, Session};
+use rosto_session::{Changed, Intent, OpenFace, Session, Widget};
 use rosto_stage::ShadingMode;
 use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
 use tsify::Ts;
@@ -30,6 +30,8 @@ pub struct Studio {
     pub(crate) camera_stream: Option<CameraStream>,
     /// The pieces of the mesh on the GPU, while the face shows an expression.
     pub(crate) pieces: Option<Pieces>,
+    /// The panels that the page shows.
+    pub(crate) panel: Vec<Widget>,
     /// Change whose upload failed; the next frame tries again.
     pending_change: Changed,
 }
@@ -143,6 +145,7 @@ impl Studio {
             photo_shown: PhotoShown::default(),
             camera_stream: None,
             pieces: None,
+            panel: Vec::new(),
             pending_change: Changed::Nothing,
         }
     }

@@ -5,7 +5,7 @@ export function setUpDialogs() {
   setUp("credits");
   const keys = setUp("keys");
   addEventListener("keydown", (event) => {
-    if (event.key === "?" && !isTyping(event.target) && !keys.open) keys.showModal();
+    if (event.key === "?" && !isTyping(event) && !keys.open) keys.showModal();
   });
 }
 

@@ -42,32 +42,21 @@ export function makeIcon(name) {
 }
 
 /**
- * Whether key presses edit text or an unfinished number (`data-typing`).
+ * Whether an event edits text, or chooses from a list by its first letters.
  *
- * @param {EventTarget | null} target
+ * @param {Event} event
  */
-export function isTyping(target) {
-  return target instanceof HTMLInputElement && (target.type === "text" || "typing" in target.dataset);
+export function isTyping(event) {
+  const { target } = event;
+  const isKey = event instanceof KeyboardEvent;
+  if (isKey && event.isComposing) return true;
+  if (target instanceof HTMLSelectElement) return isKey && !event.ctrlKey && !event.metaKey;
+  if (target instanceof HTMLInputElement) return "typing" in target.dataset || (TEXT.has(target.type) && !("number" in target.dataset));
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }
 
-/**
- * Colour of a colour input, channels 0 to 255.
- *
- * @param {HTMLInputElement} input of type color
- */
-export function chosenColour(input) {
-  const value = parseInt(input.value.slice(1), 16);
-  return { red: (value >> 16) & 255, green: (value >> 8) & 255, blue: value & 255 };
-}
-
-/**
- * Formats a colour for a colour input.
- *
- * @param {Iterable<number>} channels 0 to 255 each
- */
-export function hex(channels) {
-  return `#${[...channels].map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
-}
+/** Types of inputs with text. */
+const TEXT = new Set(["text", "search", "email", "url", "tel", "password", "number"]);
 
 /**
  * Runs `action` when any element with `data-action="name"` is pressed.

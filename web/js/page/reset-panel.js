@@ -8,9 +8,6 @@ import { byId } from "./dom.js";
 export function resetPanel(keepTab) {
   const panel = byId("panel", HTMLElement);
   leaveField(panel);
-  for (const field of panel.querySelectorAll("input[data-typing]")) field.removeAttribute("data-typing");
-  const share = byId("symmetrise-share", HTMLInputElement);
-  share.value = share.defaultValue;
   // Choosing a tab scrolls to its top.
   if (!keepTab) byId("tab-shape", HTMLButtonElement).click();
 }

@@ -72,7 +72,7 @@ function setUpPaste(open) {
  * @param {DataTransfer | null} transfer
  */
 function isTextForField(event, transfer) {
-  return isTyping(event.target) && !transfer?.types.includes("Files");
+  return isTyping(event) && !transfer?.types.includes("Files");
 }
 
 /**

@@ -10,6 +10,8 @@ import { watchWebGl } from "./webgl-errors.js";
  * @typedef {import("../../wasm/rosto-studio-web.js").Tick} Tick
  * @typedef {import("../../wasm/rosto-studio-web.js").Changed} Changed
  * @typedef {import("../../wasm/rosto-studio-web.js").Intent} Intent
+ * @typedef {import("../../wasm/rosto-studio-web.js").Widget} Widget
+ * @typedef {import("../../wasm/rosto-studio-web.js").Phrase} Phrase
  *
  * @typedef {object} Notices
  * @property {(thrown: unknown, owner: "studio" | "gpu") => void} show
@@ -49,6 +51,10 @@ export class Host {
   #frameListeners = new Set();
   /** @type {Set<() => void>} */
   #photoListeners = new Set();
+  /** @type {Set<(widgets: Widget[]) => void>} */
+  #panelListeners = new Set();
+  /** @type {(said: Phrase) => void} */
+  #say = () => {};
   #photoIsPending = false;
   #closed = new AbortController();
   #notices;
@@ -125,7 +131,19 @@ export class Host {
   attempt(intent) {
     const applied = this.answer((studio) => studio.apply(intent));
     this.#follow(applied.changed);
+    if (applied.said) this.#say(applied.said);
     return applied;
+  }
+
+  /**
+   * Like {@link apply}, for an intent of a panel: shows the panels again, also if only the view has changed.
+   *
+   * @param {Intent} intent
+   */
+  applyShown(intent) {
+    const changed = this.apply(intent)?.changed;
+    // Other changes have shown them.
+    if (changed === "view" || changed === undefined) this.#showPanels(false);
   }
 
   /**
@@ -280,6 +298,16 @@ export class Host {
     this.#photoListeners.add(listener);
   }
 
+  /** @param {(widgets: Widget[]) => void} listener called with the widgets of the panels that have changed */
+  onPanel(listener) {
+    this.#panelListeners.add(listener);
+  }
+
+  /** @param {(said: Phrase) => void} listener called with announcements for screen readers */
+  onSaid(listener) {
+    this.#say = listener;
+  }
+
   /** @param {() => Promise<void>} listener restores the work after a restart */
   onRestart(listener) {
     this.#restartListeners.add(listener);
@@ -291,6 +319,14 @@ export class Host {
     if (!state) return;
     for (const listener of this.#changeListeners) this.ask(() => listener(state));
     for (const listener of this.#tickListeners) this.ask(() => listener(state.tick));
+    this.#showPanels(false);
+  }
+
+  /** @param {boolean} isTick whether only the edit in progress has changed */
+  #showPanels(isTick) {
+    if (this.#panelListeners.size === 0) return;
+    const diff = this.ask((studio) => studio.panelDiff(isTick));
+    if (diff && diff.widgets.length > 0) for (const listener of this.#panelListeners) this.ask(() => listener(diff.widgets));
   }
 
   /**
@@ -305,6 +341,7 @@ export class Host {
     this.requestFrame();
     await nextTask();
     for (const listener of this.#photoListeners) this.ask(() => listener());
+    this.#showPanels(true);
   }
 
   /** Draws in the next animation frame. */
@@ -321,6 +358,7 @@ export class Host {
     const tick = this.ask((studio) => studio.tick());
     if (!tick) return;
     for (const listener of this.#tickListeners) this.ask(() => listener(tick));
+    this.#showPanels(true);
   }
 
   /** @param {number} time_ms */

@@ -1,4 +1,4 @@
-import { targetName } from "../words/names.js";
+import { textOf } from "../../src/phrase.ts";
 import { t, formatNumber } from "../words/words.js";
 import { Gestures } from "./gestures.js";
 import { placeTag } from "./tag-place.js";
@@ -6,7 +6,7 @@ import { placeTag } from "./tag-place.js";
 /**
  * @typedef {import("./host.js").Host} Host
  * @typedef {import("./host.js").State} State
- * @typedef {import("../words/names.js").Target} Target
+ * @typedef {import("./host.js").Phrase} Phrase
  *
  * @typedef {object} MarkOptions
  * @property {HTMLOutputElement} tag shows the landmark's name
@@ -21,12 +21,12 @@ export class LandmarkMarks {
   #options;
   /** @type {number | undefined} */
   #selected;
-  /** Target of the selection. @type {Target | undefined} */
-  #selectedTarget;
+  /** Name of the selection. @type {Phrase | undefined} */
+  #selectedName;
   /** @type {number | undefined} */
   #hovered;
-  /** Target of a drag from the hovered point. @type {Target | undefined} */
-  #hoveredTarget;
+  /** Name of what a drag from the hovered point moves. @type {Phrase | undefined} */
+  #hoveredName;
   #isDragging = false;
   /** Pointer position over the view while nothing is pressed. @type {[number, number] | undefined} */
   #pointer_px;
@@ -38,8 +38,8 @@ export class LandmarkMarks {
   #leavesPlane = false;
   /** Whether the drag exceeds the edit's limit. */
   #isAtEnd = false;
-  /** Why the point cannot be moved. @type {string | undefined} */
-  #refusal;
+  /** Whether the point cannot be moved. */
+  #isRefused = false;
 
   /**
    * @param {Host} host
@@ -78,13 +78,13 @@ export class LandmarkMarks {
   }
 
   /** @param {State} state */
-  #update({ selected, target, isSliding, isDragging, radiusMm, leavesPlane, refusal }) {
+  #update({ selected, name, isSliding, isDragging, radiusMm, leavesPlane, isRefused }) {
     // A proportion slider moves other points.
     this.#selected = isSliding ? undefined : selected;
     this.#radius_mm = radiusMm;
     this.#leavesPlane = leavesPlane;
-    this.#refusal = refusal;
-    this.#selectedTarget = target;
+    this.#isRefused = isRefused;
+    this.#selectedName = name;
     this.#isDragging = isDragging;
     if (!isDragging) this.#isRadiusChanged = false;
     // The change may have moved another point under the pointer.
@@ -103,7 +103,7 @@ export class LandmarkMarks {
   /** Highlights a landmark hovered on the photo. @param {number | undefined} landmark */
   #highlight(landmark) {
     const applied = this.host.apply({ "point-at": landmark });
-    this.#showName(landmark, applied?.hoveredTarget);
+    this.#showName(landmark, applied?.hoveredName);
   }
 
   /**
@@ -129,25 +129,25 @@ export class LandmarkMarks {
   /** @param {ReturnType<Host["apply"]>} applied answer to a movement of the pointer */
   #setHovered(applied) {
     this.host.canvas.classList.toggle("over-landmark", applied?.hovered !== undefined);
-    this.#showName(applied?.hovered, applied?.hoveredTarget);
+    this.#showName(applied?.hovered, applied?.hoveredName);
   }
 
   /**
    * @param {number | undefined} vertex
-   * @param {Target | undefined} target
+   * @param {Phrase | undefined} name
    */
-  #showName(vertex, target) {
+  #showName(vertex, name) {
     if (vertex === this.#hovered) return;
     this.#hovered = vertex;
-    this.#hoveredTarget = target;
+    this.#hoveredName = name;
     this.#write();
   }
 
   #write() {
     this.#options.overlay?.mark(this.#selected, this.#hovered);
-    const selected = this.#selected === undefined ? undefined : this.#selectedTarget;
-    const target = this.#hovered === undefined ? selected : this.#hoveredTarget;
-    const name = target && targetName(target);
+    const selected = this.#selected === undefined ? undefined : this.#selectedName;
+    const phrase = this.#hovered === undefined ? selected : this.#hoveredName;
+    const name = phrase && textOf(phrase);
     this.#tag.hidden = name === undefined;
     if (name === undefined) return;
     this.#tag.value = this.#tagText(name);
@@ -157,7 +157,7 @@ export class LandmarkMarks {
   /** @param {string} name name of the dragged or hovered point */
   #tagText(name) {
     if (!this.#isDragging) return name;
-    if (this.#refusal) return t("landmark.refuses", { name });
+    if (this.#isRefused) return t("landmark.refuses", { name });
     if (this.#isAtEnd) return t("landmark.at-end", { name });
     if (this.#isRadiusChanged) return t("landmark.reach", { name, mm: formatNumber(this.#radius_mm, 0) });
     return this.#leavesPlane ? t("landmark.alone", { name }) : name;

@@ -9,7 +9,7 @@ import { byId, isTyping } from "../page/dom.js";
  */
 export function setUpScene(host) {
   addEventListener("keydown", (event) => {
-    if (event.key.toLowerCase() !== "p" || event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
+    if (event.key.toLowerCase() !== "p" || event.ctrlKey || event.metaKey || event.altKey || isTyping(event)) return;
     if (document.body.dataset["state"] === "face" && !document.querySelector("dialog[open]")) toggle(host);
   });
   byId("photo-to-stage", HTMLButtonElement).addEventListener("click", () => host.apply({ scene: "picture" }));

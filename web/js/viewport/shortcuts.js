@@ -28,8 +28,9 @@ export function setUpViewKeys(host, onGesture) {
  */
 export function setUpEditKeys(actions) {
   addEventListener("keydown", (event) => {
+    if (event.isComposing) return;
     if (event.key === "Escape") return actions.cancel();
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event)) return;
     const key = event.key.toLowerCase();
     if (key !== "z" && key !== "y") return;
     event.preventDefault();
@@ -66,6 +67,7 @@ function chooseView(host, event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
   const views = /** @type {const} */ ({ f: "front", l: "left", t: "top", " ": "reset" });
   const key = event.key.toLowerCase();
+  if (key === "w") host.applyShown({ set: ["view.wireframe", !host.read(({ wireframe }) => wireframe)] });
   if (!(key in views)) return false;
   host.apply({ "go-to": views[/** @type {keyof typeof views} */ (key)] });
   return true;

@@ -1,11 +1,5 @@
 import { bestMatch } from "./search.js";
-import { isWord, t, formatNumber } from "./words.js";
-
-/**
- * Display names: the studio provides ids, and the words files their names.
- *
- * @typedef {import("../../wasm/rosto-studio-web.js").Target} Target
- */
+import { isWord, t } from "./words.js";
 
 /**
  * The name for an id; falls back to the id itself.
@@ -56,30 +50,6 @@ export function numberedLandmarkName(id, number) {
  */
 export function landmarkLabel(id, number) {
   return showNumbers ? numberedLandmarkName(id, number) : landmarkName(id);
-}
-
-/**
- * The name of an edit's target.
- *
- * @param {Target} target
- */
-export function targetName({ kind, id, number = 0, part }) {
-  switch (kind) {
-    case "landmark":
-      return landmarkLabel(id, number);
-    case "point": {
-      const name = showNumbers ? t("target.point", { n: formatNumber(number, 0) }) : t("target.point.plain");
-      return part === undefined ? name : `${name} ${idName("near", part)}`;
-    }
-    case "slider":
-      return idName("slider", id);
-    case "vertices":
-      return t("target.vertices", { n: formatNumber(number, 0) });
-    case "symmetry":
-      return t("target.symmetry");
-    default:
-      return idName(kind, id);
-  }
 }
 
 /**

@@ -8,12 +8,9 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use crate::edit_options::{RADIUS_MM, SLIDER_MM};
-use crate::open_face::MM_PER_M;
+use crate::panel::range_mm;
 use crate::range::Range;
 use crate::{BRUSH_PX, Choice, FALLOFF_BAND, FormatFacts, formats};
-
-/// Change of a ready-made slider per key press, in mm.
-const STEP_MM: f64 = 0.1;
 
 /// Ids and ranges, which do not change. The page has the words.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
@@ -83,8 +80,7 @@ impl Default for Catalogue {
 
 impl SliderRange {
     fn of(slider: FaceSlider) -> Self {
-        let max = slider.range_m() * MM_PER_M;
-        Self { id: slider.id(), range: Range { min: -max, max, step: STEP_MM, neutral: 0.0 } }
+        Self { id: slider.id(), range: range_mm(slider) }
     }
 }
 

@@ -1,15 +1,14 @@
 use std::collections::BTreeMap;
 
 use rosto_face::{LANDMARK_COUNT, Turn};
-use rosto_laplacian::LaplacianError;
 use rosto_stage::{Background, Dots, PictureLight, Srgb, Visibility};
-use rosto_studio::{Expression, FaceSlider, Mirror, StudioError, Switch};
+use rosto_studio::{Expression, FaceSlider, Mirror, Switch};
 use serde::Serialize;
 use tsify::Tsify;
 
-use super::{Entry, LightSettings, Target, Tick};
+use super::{LightSettings, Tick};
 use crate::open_face::PhotoFacts;
-use crate::{Choice, EditOptions, OpenFace, Selection, Session, Turntable};
+use crate::{Choice, EditOptions, OpenFace, Phrase, Selection, Session, Turntable};
 
 /// The state that panels show.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Tsify)]
@@ -23,8 +22,8 @@ pub struct State {
 
     /// The selected vertex, or the central landmark of the selected region.
     pub selected: Option<u32>,
-    /// Target of the selection.
-    pub target: Option<Target>,
+    /// Name of the selection.
+    pub name: Option<Phrase>,
     /// Whether each vertex of the selection is pinned.
     pub is_pinned: bool,
     /// Whether the selection has a mirror image.
@@ -37,8 +36,8 @@ pub struct State {
     pub is_sliding: bool,
     /// Whether the selection is being dragged.
     pub is_dragging: bool,
-    /// Why the selection cannot be moved, if it cannot.
-    pub refusal: Option<Refusal>,
+    /// Whether the selection cannot be moved.
+    pub is_refused: bool,
     /// Vertices that stay in place while the selection moves.
     pub anchors: Vec<u32>,
 
@@ -68,8 +67,6 @@ pub struct State {
     pub can_redo: bool,
     /// Number of entries, without undone ones.
     pub entry_count: usize,
-    /// The latest entries, oldest first.
-    pub entries: Vec<Entry>,
 
     /// Whether edges are shown.
     pub wireframe: bool,
@@ -129,30 +126,19 @@ pub struct PhotoState {
     pub adds: bool,
 }
 
-/// Why the selection cannot be moved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Tsify)]
-#[serde(rename_all = "kebab-case")]
-pub enum Refusal {
-    /// No anchor is set, so the whole face would move.
-    Unanchored,
-    /// Any other reason.
-    Other,
-}
-
 impl Session {
     /// Returns the state for panels.
     pub fn state(&self) -> State {
         let (options, view, settings) = (self.edit_options(), self.view(), self.stage().render_settings());
         State {
             selectable: self.face().map_or(LANDMARK_COUNT, |face| face.selectable_count(self.mode())),
-            target: self.selected_target(),
+            name: self.selection_name(),
             is_dragging: self.is_dragging(),
             chosen: Choice::ALL.map(|choice| (choice.id(), self.chosen(choice))).into(),
             mirror: options.mirror == Mirror::On,
             nearby: options.is_nearby,
             radius_mm: options.radius_mm,
             tick: self.tick(),
-            entries: self.latest_entries(),
             wireframe: view.wireframe == Visibility::Shown,
             anchors_marked: view.anchors == Switch::On,
             is_wiping: settings.wipe.is_some(),
@@ -185,7 +171,7 @@ impl OpenFace {
             lies_in_plane: self.lies_in_plane(edit_options),
             leaves_plane: self.leaves_plane(),
             is_sliding: self.is_sliding(),
-            refusal: self.refusal().map(Refusal::from),
+            is_refused: self.refusal().is_some(),
             anchors: document.anchors().to_vec(),
             offset_mm: self.offset_mm().to_array(),
             sliders_mm: FaceSlider::ALL.map(|slider| (slider.id(), self.slider_mm(slider))).into(),
@@ -218,14 +204,5 @@ impl From<PhotoFacts> for PhotoState {
     fn from(facts: PhotoFacts) -> Self {
         let PhotoFacts { leads, yaw_deg, turn, adds } = facts;
         Self { leads, yaw_deg, turn: turn.map(Turn::id), adds }
-    }
-}
-
-impl From<&StudioError> for Refusal {
-    fn from(reason: &StudioError) -> Self {
-        match reason {
-            StudioError::Laplacian(LaplacianError::Unanchored { .. }) => Self::Unanchored,
-            _ => Self::Other,
-        }
     }
 }

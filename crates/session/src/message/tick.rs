@@ -40,7 +40,7 @@ impl Session {
 
     /// Whether the offset of the edit in progress, or without one the committed offset, is within 14° of the view
     /// direction.
-    fn is_along_view(&self) -> bool {
+    pub(crate) fn is_along_view(&self) -> bool {
         const LEAST_MM: f64 = 0.5;
         let Some(face) = self.face() else { return false };
         let offset_mm = match face.moving() {

@@ -35,6 +35,11 @@ macro_rules! flags {
     };
 }
 
+/// A setting with two values.
+pub(crate) fn of<T: Flag>(on: bool) -> T {
+    if on { T::ON } else { T::OFF }
+}
+
 flags! {
     Dots { NearPointer, All }
     Mirror { Off, On }
@@ -67,6 +72,13 @@ impl From<Light> for LightSettings {
     fn from(light: Light) -> Self {
         let Light { azimuth_deg, elevation_deg, strength, ambient, colour: Srgb(colour) } = light;
         Self { azimuth_deg, elevation_deg, strength, ambient, colour }
+    }
+}
+
+impl From<LightSettings> for Light {
+    fn from(light: LightSettings) -> Self {
+        let LightSettings { azimuth_deg, elevation_deg, strength, ambient, colour } = light;
+        Self { azimuth_deg, elevation_deg, strength, ambient, colour: Srgb(colour) }
     }
 }
 
@@ -104,7 +116,7 @@ fn named<T: Named, E: Error>(id: &str) -> Result<T, E> {
 }
 
 pub(crate) fn flag<'de, T: Flag, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
-    Ok(if bool::deserialize(from)? { T::ON } else { T::OFF })
+    Ok(of(bool::deserialize(from)?))
 }
 
 pub(crate) fn point<'de, D: Deserializer<'de>>(from: D) -> Result<DVec2, D::Error> {
@@ -137,8 +149,7 @@ pub(crate) fn density<'de, D: Deserializer<'de>>(from: D) -> Result<u32, D::Erro
 }
 
 pub(crate) fn light<'de, D: Deserializer<'de>>(from: D) -> Result<Light, D::Error> {
-    let LightSettings { azimuth_deg, elevation_deg, strength, ambient, colour } = LightSettings::deserialize(from)?;
-    Ok(Light { azimuth_deg, elevation_deg, strength, ambient, colour: Srgb(colour) })
+    Ok(LightSettings::deserialize(from)?.into())
 }
 
 /// A uniform colour, or none for the theme's background.

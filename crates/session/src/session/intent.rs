@@ -11,6 +11,7 @@ use tsify::Tsify;
 
 use crate::drag::Pace;
 use crate::message::value;
+use crate::panel::Value;
 use crate::{AnchorChoice, Motion, Preset, Selection, SelectionMode, TextureSource, Turntable};
 
 /// A user action, and the message of the page for it. Positions are in device pixels from the top left of the canvas.
@@ -26,6 +27,13 @@ pub enum Intent {
     Close,
     /// Restores settings and view from [`Session::preferences`](crate::Session::preferences).
     RestorePreferences(String),
+
+    /// Sets the value of a widget in a panel.
+    Set(String, Value),
+    /// Presses a button in a panel.
+    Push(String),
+    /// Shows the expert settings, and the numbers of points in names.
+    Expert(bool),
 
     /// Sets what a click or a drag selects. The selection is converted: to the region around the landmark, the central
     /// landmark of the region, or the point at its position.
@@ -185,6 +193,10 @@ pub enum Intent {
         #[tsify(type = "boolean")]
         Switch,
     ),
+    /// Sets the share that the panel offers for `Symmetrise`.
+    SymmetryShare(f64),
+    /// Starts the measuring tape at the selection.
+    StartTape,
     /// Moves both sides towards symmetry; a share of 1 makes them mirror images.
     Symmetrise(f64),
 

@@ -17,6 +17,7 @@ impl Session {
         self.face = Some(face);
         self.textures.restart();
         (self.gesture, self.hovered, self.brush_px) = (Gesture::Idle, Hovered::default(), None);
+        self.panel = self.panel.for_another_face();
         self.view.show_on(&mut self.stage, false);
         self.see_as_edited();
         self.frame_in_photo();

@@ -1,0 +1,119 @@
+//! Panels as data: what they show, and what their widgets do.
+//!
+//! [`Session::panel`] describes the panels; a page or another front end renders them. A widget is a line in one of the
+//! sections: its id, its value, and the intent of another value. [`Session::panel_diff`] returns the widgets that
+//! differ from those of an earlier time.
+
+mod choices;
+mod expressions;
+mod face;
+mod history;
+mod in_photo;
+mod method;
+mod name;
+mod phrase;
+mod selection;
+mod size;
+mod speech;
+mod state;
+mod view;
+mod widget;
+
+use serde::Serialize;
+use tsify::Tsify;
+
+use crate::{Changed, Intent, Session, SessionError};
+pub(crate) use expressions::shown;
+pub(crate) use face::{range_mm, slid};
+pub use history::MAX_LISTED;
+pub use phrase::{Part, Phrase};
+pub(crate) use selection::moved;
+pub(crate) use state::PanelState;
+pub use widget::{ChoiceLook, Control, GroupLook, Level, Tone, Value, Widget};
+
+/// A section, and whether the ticks of an edit change it.
+type Section = (fn(&Session) -> Widget, bool);
+
+/// The sections, in display order.
+const SECTIONS: [Section; 11] = [
+    (view::scene, false),
+    (face::section, true),
+    (expressions::section, true),
+    (selection::section, true),
+    (in_photo::section, true),
+    (history::section, false),
+    (method::section, false),
+    (view::section, false),
+    (size::section, false),
+    (view::texture_size, false),
+    (view::export_density, false),
+];
+
+/// Widgets that have changed. A group takes the place of its earlier widgets.
+#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+pub struct PanelDiff {
+    /// The widgets.
+    pub widgets: Vec<Widget>,
+}
+
+impl Session {
+    /// The sections of the panels.
+    pub fn panel(&self) -> Vec<Widget> {
+        SECTIONS.map(|(section, _)| section(self)).into()
+    }
+
+    /// The widgets that a change of this extent has changed since `before`, which is updated.
+    pub fn panel_diff(&self, before: &mut Vec<Widget>, changed: Changed) -> PanelDiff {
+        let mut widgets = Vec::new();
+        for (place, (section, follows_ticks)) in SECTIONS.into_iter().enumerate() {
+            if changed == Changed::Tick && !follows_ticks && place < before.len() {
+                continue;
+            }
+            let now = section(self);
+            compare(before.get(place), &now, &mut widgets);
+            match before.get_mut(place) {
+                Some(old) => *old = now,
+                None => before.push(now),
+            }
+        }
+        PanelDiff { widgets }
+    }
+
+    /// The intent that a message for a widget means.
+    pub(crate) fn resolved(&self, intent: Intent) -> Result<Intent, SessionError> {
+        match intent {
+            Intent::Set(id, value) => self.widget_intent(id, value),
+            Intent::Push(id) => self.widget_intent(id, Value::Flag(true)),
+            other => Ok(other),
+        }
+    }
+
+    fn widget_intent(&self, id: String, value: Value) -> Result<Intent, SessionError> {
+        let panel = self.panel();
+        let widget = panel.iter().find_map(|section| find(section, &id));
+        widget.and_then(|widget| widget.intent(value)).ok_or(SessionError::NoSuchWidget { id })
+    }
+}
+
+fn find<'a>(widget: &'a Widget, id: &str) -> Option<&'a Widget> {
+    if widget.id == id { Some(widget) } else { widget.children().iter().find_map(|child| find(child, id)) }
+}
+
+fn compare(before: Option<&Widget>, now: &Widget, changes: &mut Vec<Widget>) {
+    match before {
+        Some(old) if old == now => {}
+        Some(old) if has_same_children(old, now) => {
+            for (old, now) in old.children().iter().zip(now.children()) {
+                compare(Some(old), now, changes);
+            }
+        }
+        _ => changes.push(now.clone()),
+    }
+}
+
+/// Whether two groups differ in their widgets' values only.
+fn has_same_children(one: &Widget, other: &Widget) -> bool {
+    let ids = |widget: &Widget| widget.children().iter().map(|child| child.id.clone()).collect::<Vec<_>>();
+    let frame = |widget: &Widget| (widget.is_hidden, widget.is_enabled, widget.label.clone());
+    !one.children().is_empty() && frame(one) == frame(other) && ids(one) == ids(other)
+}

@@ -1,0 +1,74 @@
+use rosto_face::{Measure, PhotoLens};
+
+use super::Phrase;
+use super::name::word;
+use super::state::Tape;
+use super::widget::{Control, GroupLook, Tone, Widget, button, group, slider, text};
+use crate::open_face::MM_PER_M;
+use crate::{Intent, OpenFace, Range, Session};
+
+const CM_PER_M: f64 = 100.0;
+
+/// Range of the distance from which the photo was taken, in cm.
+const DISTANCE_CM: Range = Range { min: 15.0, max: 300.0, step: 1.0, neutral: 50.0 };
+
+/// How the photo was taken, the size of the face, and a measuring tape.
+pub(super) fn section(session: &Session) -> Widget {
+    let widgets = session.face().map_or_else(Vec::new, |face| widgets(session, face));
+    group("section.size", GroupLook::Section, widgets).on("view")
+}
+
+fn widgets(session: &Session, face: &OpenFace) -> Vec<Widget> {
+    let (camera, scale, cage) = (face.model().camera(), face.model().scale(), face.document().cage());
+    let pose = camera.pose();
+    let distance_cm = camera.distance_m.is_finite().then_some(CM_PER_M * camera.distance_m);
+    let measure = |measure: Measure| {
+        let mm = MM_PER_M * measure.of(cage);
+        (word("measure", measure.id()), length(mm, scale.error))
+    };
+    let degrees = |phrase: Phrase, name, angle: f64| phrase.number(name, angle, 0);
+    let turn = degrees(Phrase::word("size.pose"), "yaw", pose.yaw_deg);
+    let turn = degrees(degrees(turn, "pitch", pose.pitch_deg), "roll", pose.roll_deg);
+    let source = if scale.source.id() == "irises" { "size.by-irises" } else { "size.canonical" };
+    let shown_cm = distance_cm.unwrap_or(DISTANCE_CM.neutral).min(DISTANCE_CM.max);
+    let found = face.found_lens();
+    vec![
+        text("size.camera", Some(taken_from(&camera.lens, distance_cm, camera.distance_error)), Tone::Help),
+        slider("size.distance", DISTANCE_CM, "cm", shown_cm, |cm| Intent::PhotoLens(PhotoLens::Distance(cm / CM_PER_M))),
+        button("size.known", Intent::PhotoLens(found)),
+        text("size.pose", Some(turn), Tone::Help),
+        Widget::new("size.measures", Control::Facts { rows: Measure::ALL.map(measure).into() }),
+        text("size.source", Some(Phrase::word(source)), Tone::Help),
+        button("tape.start", Intent::StartTape),
+        text("tape.result", Some(tape(session, scale.error)), Tone::Status),
+    ]
+}
+
+fn taken_from(lens: &PhotoLens, distance_cm: Option<f64>, error: f64) -> Phrase {
+    let Some(distance_cm) = distance_cm else { return Phrase::word("size.parallel") };
+    let key = match lens {
+        PhotoLens::Distance(_) => "size.as-given",
+        PhotoLens::Estimated => "size.by-face",
+        _ => "size.by-lens-data",
+    };
+    let phrase = Phrase::word(key).number("distance", distance_cm.round(), 0);
+    phrase.number("error", (distance_cm * error).round().max(1.0), 0)
+}
+
+/// Distance from the start of the tape to the selection.
+fn tape(session: &Session, error: f64) -> Phrase {
+    let Some(Tape { from, measured }) = session.tape() else { return Phrase::word("tape.help") };
+    let name = |vertex| session.vertex_name(vertex);
+    match measured {
+        None => Phrase::word("tape.next").with("from", name(from)),
+        Some((to, [straight_mm, along_mm])) => {
+            let result = Phrase::word("tape.result").with("from", name(from)).with("to", name(to));
+            result.with("straight", length(straight_mm, error)).with("along", length(along_mm, error))
+        }
+    }
+}
+
+/// A length with its standard deviation.
+fn length(mm: f64, error: f64) -> Phrase {
+    Phrase::word("amount.mm.about").number("mm", mm, 0).number("error", (mm * error).max(1.0), 0)
+}

@@ -1,0 +1,52 @@
+import { byId, onAction } from "../js/page/dom.js";
+import { remember, remembered } from "../js/page/remember.js";
+import type { Host } from "../js/viewport/host.js";
+import { setPointNumbersShown } from "../js/words/names.js";
+import { notifyLocaleChange, onLocaleChange } from "../js/words/words.js";
+import { setUpLandmarkSearch } from "./landmark-search.ts";
+import { setUpLightSphere } from "./light-sphere.ts";
+import { Panels } from "./panels.ts";
+import { domId } from "./widget.ts";
+
+/** Actions of buttons outside the panels. */
+const ACTIONS = { undo: "undo", redo: "redo", "reset-view": { "go-to": "reset" } } as const;
+
+/** Shows the panels that the studio describes. */
+export function setUpPanels(host: Host) {
+  setUpLandmarkSearch(host);
+  setUpLightSphere(host);
+  const panels = new Panels(place, (intent) => host.applyShown(intent));
+  host.onPanel((widgets) => {
+    panels.update(widgets);
+    const brush = document.getElementById(domId("brush"));
+    document.body.toggleAttribute("data-brush", brush instanceof HTMLInputElement && brush.checked);
+  });
+  onLocaleChange(() => panels.translate());
+  for (const [action, intent] of Object.entries(ACTIONS)) onAction(action, () => host.apply(intent));
+  setUpExpert(host);
+}
+
+/** Puts a section before those of the page, or a single widget into its place. */
+function place(section: HTMLElement) {
+  const there = document.querySelector(`[data-place="${section.id || section.querySelector("[id]")?.id}"]`);
+  if (there) there.replaceChildren(section);
+  else byId("section-export", HTMLElement).before(section);
+}
+
+/** The switch that shows technical controls and point numbers. */
+function setUpExpert(host: Host) {
+  const box = byId("expert", HTMLInputElement);
+  const apply = () => {
+    document.documentElement.toggleAttribute("data-expert-on", box.checked);
+    setPointNumbersShown(box.checked);
+    host.apply({ expert: box.checked });
+    notifyLocaleChange();
+  };
+  box.checked = remembered("expert") === "on";
+  box.addEventListener("change", () => {
+    remember("expert", box.checked ? "on" : "off");
+    apply();
+  });
+  apply();
+  host.onRestart(async () => apply());
+}

@@ -1,0 +1,23 @@
+import { isWord, t } from "../js/words/words.js";
+import type { Intent, Widget } from "../wasm/rosto-studio-web.js";
+import { textOf } from "./phrase.ts";
+
+/** What widgets do: applies an intent and shows the panels again. */
+export type Send = (intent: Intent) => void;
+
+/** A widget on the page. The element stays while the widget's value changes, and with it focus and open folds. */
+export interface View {
+  element: HTMLElement;
+  show(widget: Widget): void;
+}
+
+/** Id of a widget's element. */
+export function domId(id: string) {
+  return id.replaceAll(".", "-");
+}
+
+/** Label of a widget: its own, or the word of its id. */
+export function labelOf({ id, label }: Widget) {
+  if (label) return textOf(label);
+  return isWord(id) ? t(id) : textOf({ key: id, values: [] });
+}
