@@ -117,7 +117,7 @@ async function slide(visitor) {
   await page.mouse.up();
   await page.click("#toolbar [data-action='reset-view']");
   await visitor.unfold("section-face");
-  const slider = page.locator("[data-slider='jaw-width'] input[type=range]");
+  const slider = page.locator("#slider-jaw-width input[type=range]");
   await slider.scrollIntoViewIfNeeded();
   const { x, y, width, height } = await slider.boundingBox();
   const to = await hold(visitor, { x: x + width / 2, y: y + height / 2 }, { x: x + width / 5, y: y + height / 2 });

@@ -189,12 +189,12 @@ export async function editing() {
   records.push(record("dropped photo to face on the canvas", "512 px PNG", face_ms));
   await until(() => document.body.dataset.texture === undefined);
   for (let entry = 0; entry < ENTRIES; entry += 1) edit(11 * entry + 1);
-  const entries = document.querySelectorAll("#history li").length;
+  const entries = document.querySelectorAll("#history .check").length;
   if (entries < ENTRIES) throw new Error(`${entries} entries, not ${ENTRIES}`);
   for (const [density, size] of [["0", "468 vertices"], ["3", "28881 vertices"]]) {
     set(document.getElementById("density"), density, "change");
     await new Promise((done) => setTimeout(done, 500));
-    const range = document.querySelector("#landmark-sliders [data-axis='z'] input[type=range]");
+    const range = document.querySelector("#landmark-offset [data-axis='z'] input[type=range]");
     let tick = 0;
     const ticks_ms = await repeated(RUNS, async () => {
       for (let event = 0; event < EVENTS; event += 1) set(range, String((tick++ % 60) / 10), "input");
@@ -207,7 +207,7 @@ export async function editing() {
 /** @param {number} landmark */
 function edit(landmark) {
   set(document.getElementById("landmark-search"), String(landmark), "change");
-  const number = document.querySelector("#landmark-sliders [data-axis='z'] input[type=number]");
+  const number = document.querySelector("#landmark-offset [data-axis='z'] .number-field");
   set(number, "0.5", "input");
   set(number, "0.5", "change");
 }

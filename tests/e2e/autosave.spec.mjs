@@ -4,7 +4,7 @@ import { untilSaved } from "./storage.mjs";
 import { refuseDatabase } from "./page-scripts.mjs";
 
 /** Number field of the selected landmark's z offset, in mm. */
-const NOSE_OUT = "#landmark-sliders [data-axis='z'] input[type=number]";
+const NOSE_OUT = "#landmark-offset [data-axis='z'] .number-field";
 
 test("an edit just before a reload or before closing the tab is saved", async ({ visitor, page }) => {
   await visitor.openFace();
@@ -61,7 +61,7 @@ for (const [[how, refuse], tag] of variants(REFUSALS)) {
     assert.deepEqual(await visitor.meshJson("mm"), found);
     await visitor.drop(project, "face.rosto");
     await visitor.untilFace();
-    await page.waitForSelector("#history li", { state: "attached" });
+    await page.waitForSelector("#history .check", { state: "attached" });
     assert.deepEqual(await visitor.meshJson("mm"), work);
     assert.ok(await page.isHidden("#notice"), "the notice is repeated");
   });

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
+import { inVersion } from "./server.mjs";
 import { test } from "./fixtures.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 
@@ -57,7 +58,7 @@ async function leave(editor) {
   await editor.move("nose tip", "z", 9);
   await untilSaved(page);
   await page.evaluate(() => (globalThis.isSamePage = true));
-  await page.evaluate(() => (location.href = "manifest.webmanifest"));
+  await page.evaluate((url) => (location.href = url), await inVersion("manifest.webmanifest"));
   await page.waitForURL(/webmanifest/);
 }
 

@@ -31,7 +31,7 @@ test("invalid files show an error, doubtful faces a remark, and the work stays",
   }
 
   await visitor.drop(jpeg, "portrait.jpg");
-  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
   assert.ok(await page.isHidden("#notice"));
   await visitor.drop(await outOfFocus(page, await readFile(SAMPLE)), "blurred.png");
   assert.equal((await visitor.notice()).code, "may-not-be-a-face");

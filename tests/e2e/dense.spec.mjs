@@ -73,12 +73,12 @@ test("a point moves by sliders on both sides, waits on a coarser mesh, and can b
   await editor.reveal("#point-density");
   await page.selectOption("#point-density", "0");
   assert.deepEqual(await editor.history(), [`point 1,500 near the ${(await editor.history())[0].split(" near the ")[1]}`]);
-  assert.match(await page.innerText("#history .waits"), /1,833 points/);
+  assert.match(await page.innerText("#history .check-notes > :nth-child(2)"), /1,833 points/);
   assert.match(await page.inputValue("#landmark-search"), / · \d+$/);
   assert.equal((await editor.meshJson("mm")).positions.length, LANDMARKS);
   await editor.reveal("#point-density");
   await page.selectOption("#point-density", "1");
-  await page.waitForSelector("#history .waits", { state: "detached" });
+  await page.waitForSelector("#history .check-notes > :nth-child(2)", { state: "detached" });
   assert.deepEqual(await editor.meshJson("mm"), moved);
 
   await editor.unfold("section-history");
@@ -100,15 +100,15 @@ test("edits of points reopen from a GLB, and keep their position when eyes and m
   const next = await open();
   await next.drop(glb, "face.glb");
   await next.untilFace();
-  await next.page.waitForSelector("#history li", { state: "attached" });
+  await next.page.waitForSelector("#history .check", { state: "attached" });
   assert.deepEqual(await next.history(), history);
   assert.ok(maxDisplacement(moved, await next.meshJson("mm")) < 1e-4);
 
   await page.selectOption("#triangulation", "tessellation", { force: true });
   await editor.frames(3);
-  await editor.reveal("#mirror");
-  assert.ok(await page.isDisabled("#mirror"));
-  assert.ok(await page.isVisible("#mirror-help"));
+  await editor.reveal("#edit-mirror");
+  assert.ok(await page.isDisabled("#edit-mirror"));
+  assert.ok(await page.isVisible("#edit-mirror-none"));
   const opened = await editor.meshJson("mm");
   const lifted = opened.positions.map((place) => Math.hypot(...place.map((at, axis) => at - moved.positions[5_000][axis])));
   assert.ok(Math.min(...lifted) < 1, "the point did not move along");

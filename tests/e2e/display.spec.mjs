@@ -10,8 +10,8 @@ const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion
 
 test("each display mode changes the view; numeric ones show a legend", { tag: "@eyes" }, async ({ editor, page }) => {
   // Without a radius, the influence covers most of the face.
-  await editor.reveal("#nearby");
-  await page.uncheck("#nearby");
+  await editor.reveal("#edit-nearby");
+  await page.uncheck("#edit-nearby");
   await editor.findLandmark("nose tip");
   const nose = await editor.toViewPixels(await editor.tagPosition());
   await editor.setOffset("z", 8);
@@ -20,9 +20,9 @@ test("each display mode changes the view; numeric ones show a legend", { tag: "@
   for (const paint of PAINTS) {
     await page.check(`input[name="shading"][value="${paint}"]`, { force: true });
     views.push(await editor.view());
-    assert.equal(await page.isVisible("#shading-legend"), paint === "response" || paint === "distortion", paint);
+    assert.equal(await page.isVisible("#shading .legend .caption"), paint === "response" || paint === "distortion", paint);
   }
-  assert.match(await page.innerText("#shading-legend"), /%/);
+  assert.match(await page.innerText("#shading .legend .caption"), /%/);
   for (const [one, view] of views.entries()) {
     for (const [other, another] of views.slice(0, one).entries()) {
       assert.ok(differenceNear(view, another, nose, 150) > 0.05, `${PAINTS[one]} looks like ${PAINTS[other]}`);
@@ -48,20 +48,20 @@ test("lines, points, density and openings change the view and can be reverted", 
 
 test("the photo keeps its light unless the lamp is enabled; sphere and colour control the lamp", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
-  assert.ok(await page.locator("#lamp").evaluate((lamp) => lamp.disabled), "the lamp is enabled without effect");
+  assert.ok(await page.locator("#light-lamp").evaluate((lamp) => lamp.disabled), "the lamp is enabled without effect");
   const own = await editor.view();
   await page.check("#light-photo");
   assert.ok(difference(own, await editor.view()) > 0.05, "the lamp does not light the photo");
   await page.uncheck("#light-photo");
   assert.equal(difference(own, await editor.view()), 0);
   await page.check("input[name='shading'][value='clay']", { force: true });
-  assert.ok(await page.locator("#lamp").evaluate((lamp) => !lamp.disabled));
+  assert.ok(await page.locator("#light-lamp").evaluate((lamp) => !lamp.disabled));
   assert.ok(await page.isHidden("#light-photo"));
   const first = await editor.view();
   await page.locator("#light-sphere").scrollIntoViewIfNeeded();
   const box = await page.locator("#light-sphere").boundingBox();
   await editor.drag({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, { x: 0.4 * box.width, y: 0 });
-  const fields = await page.locator("#light-sliders input[type=number]").all();
+  const fields = await page.locator("#light-lamp .number-field").all();
   const [azimuth, elevation] = await Promise.all(fields.map(async (field) => Number(await field.inputValue())));
   assert.ok(azimuth > 60 && Math.abs(elevation) < 5, `the light is at ${azimuth}°, ${elevation}°`);
   const fromTheRight = await editor.view();
@@ -120,8 +120,8 @@ test("holding the button or B shows the original; a click shows before and after
 test("a saved picture shows the face without marks", { tag: "@eyes" }, async ({ editor, page }) => {
   const plain = PNG.sync.read(await editor.download("download-picture"));
   await editor.findLandmark("nose tip");
-  await editor.reveal("#pinned");
-  await page.check("#pinned");
+  await editor.reveal("#edit-pin");
+  await page.check("#edit-pin");
   await editor.reveal("#anchors-shown");
   const unmarked = await editor.view();
   await page.check("#anchors-shown");
@@ -132,10 +132,10 @@ test("a saved picture shows the face without marks", { tag: "@eyes" }, async ({ 
 test("auto-rotate runs until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   const first = await editor.view();
-  await page.check("#turntable");
+  await page.check("#view-turntable");
   const shot = async () => PNG.sync.read(await page.locator("#viewport").screenshot());
   await expect.poll(async () => difference(first, await shot()), { message: "the face did not rotate" }).toBeGreaterThan(0.02);
-  await page.uncheck("#turntable");
+  await page.uncheck("#view-turntable");
   const turned = await editor.view();
   await editor.frames(20);
   assert.equal(difference(turned, await editor.view()), 0, "the rotation did not stop");

@@ -13,7 +13,7 @@ const EYELIDS = [159, 386, 145, 374];
 const INNER_LIPS = [13, 14, 82, 87, 312, 317];
 
 test("the nose can move sideways without mirroring, up to the slider's limit", async ({ editor, page }) => {
-  assert.ok(await page.isChecked("#mirror"));
+  assert.ok(await page.isChecked("#edit-mirror"));
   const tip = await editor.landmarkPosition(NOSE_TIP);
   const start = await editor.meshJson("mm");
   await editor.grab(tip, { x: 40, y: 0 });
@@ -36,7 +36,7 @@ test("the nose can move sideways without mirroring, up to the slider's limit", a
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, at its limit");
   assert.match(await page.innerText("#announcement"), /at its limit/);
   await page.mouse.up();
-  const slider = page.locator("#landmark-sliders [data-axis='y'] input[type=number]");
+  const slider = page.locator("#landmark-offset [data-axis='y'] .number-field");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
   assert.ok(Math.abs(displacement(start, await editor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
@@ -50,7 +50,7 @@ test("the nose can move sideways without mirroring, up to the slider's limit", a
 
 test("an edit shows its limited influence: pulling the nose leaves lips and eyelids in place", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
-  assert.ok(await page.isChecked("#nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
+  assert.ok(await page.isChecked("#edit-nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
   const start = await editor.meshJson("mm");
   await editor.setOffset("z", 12);
   const moved = await editor.meshJson("mm");
@@ -64,8 +64,8 @@ test("an edit shows its limited influence: pulling the nose leaves lips and eyel
   const tip = await editor.landmarkPosition(NOSE_TIP);
   const shots = [];
   for (const nearby of [true, false]) {
-    await editor.reveal("#nearby");
-    await page.setChecked("#nearby", nearby);
+    await editor.reveal("#edit-nearby");
+    await page.setChecked("#edit-nearby", nearby);
     // Too small for the edit to be visible, but not for its influence.
     await editor.grab(tip, { x: 0, y: -8 });
     shots.push(await editor.view());

@@ -19,7 +19,7 @@ test("a dropped portrait becomes a mesh in its colours, and a click selects a po
 test("moving the nose tip changes picture and mesh like the command line, and undo restores both", { tag: "@eyes" }, async ({ editor }) => {
   await editor.choosePreset("paper");
   await editor.unfold("section-view");
-  await editor.page.click("[data-action='view-left']");
+  await editor.page.click("[data-action='view.left']");
   await editor.findLandmark("nose tip");
   const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
   await editor.setOffset("z", 12);
@@ -45,9 +45,9 @@ test("rotating details follow each tick and give the command line's mesh", { tag
   await editor.unfold("section-advanced");
   await editor.page.selectOption("#details", "turned");
   const before = await editor.view();
-  await editor.page.fill("#landmark-sliders [data-axis='z'] input[type=number]", "14");
+  await editor.page.fill("#landmark-offset [data-axis='z'] .number-field", "14");
   assert.ok(difference(before, await editor.view()) > 0.002, "the picture did not change while the number was typed");
-  await editor.page.press("#landmark-sliders [data-axis='z'] input[type=number]", "Tab");
+  await editor.page.press("#landmark-offset [data-axis='z'] .number-field", "Tab");
   const options = [...PAGE_EDIT_OPTIONS, "--edit", "61:0,0,14"];
   const turned = await meshByCommandLine(SAMPLE, [...options, "--turn-details"]);
   assertSameMesh(await editor.meshJson("mm"), turned);
@@ -59,7 +59,7 @@ test("light, display and camera change the picture, and the view resets", { tag:
   await editor.unfold("section-view");
   await editor.page.check("#light-photo");
   const first = await editor.view();
-  await editor.page.locator("#light-sliders input[type=number]").first().fill("80");
+  await editor.page.locator("#light-lamp .number-field").first().fill("80");
   const lit = await editor.view();
   assert.ok(difference(first, lit) > 0.02, "the light had no effect");
   await editor.page.check("input[name='shading'][value='colours']", { force: true });

@@ -4,13 +4,13 @@ import { test } from "./fixtures.mjs";
 
 /** Technical controls, by tab. */
 const TECHNICAL = {
-  shape: ["[data-choice='preset']", "#section-advanced", "#pinned"],
+  shape: ["#preset", "#section-advanced", "#edit-pin"],
   view: ["#density", "#shading label:has([value='normals'])", "#shading label:has([value='response'])", "#shading label:has([value='distortion'])"],
   export: ["#export-density", "#export-morphs", "#export-units", "[data-action='download-json']"],
 };
 const ORDINARY = {
-  shape: ["#face-sliders", "#landmark-search", "#landmark-sliders", "#mirror", "#nearby", "#section-history"],
-  view: ["#shading label:has([value='clay'])", "#wireframe", "#triangulation", "[data-action='view-left']"],
+  shape: ["#face-sliders", "#landmark-search", "#landmark-offset", "#edit-mirror", "#edit-nearby", "#section-history"],
+  view: ["#shading label:has([value='clay'])", "#view-wireframe", "#triangulation", "[data-action='view.left']"],
   export: ["#texture-size", "[data-action='check-glb']", "[data-action='save-project']", "[data-action='download-glb']"],
 };
 

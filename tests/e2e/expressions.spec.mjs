@@ -13,12 +13,12 @@ test.use({ visit: { expert: true } });
  * @param {string} expression
  */
 function fieldOf({ page }, expression) {
-  return page.locator(`[data-expression="${expression}"] input[type=number]`);
+  return page.locator(`#expression-${expression} .number-field`);
 }
 
 /** @param {import("./visitor.mjs").Visitor} visitor @param {string} expression @param {number} perCent */
 async function express(visitor, expression, perCent) {
-  await visitor.reveal(`[data-expression="${expression}"]`);
+  await visitor.reveal(`#expression-${expression}`);
   await fieldOf(visitor, expression).fill(String(perCent));
   await fieldOf(visitor, expression).press("Tab");
   await visitor.frames(3);
@@ -47,7 +47,7 @@ test("an expression is visible, can be undone, survives a reload, and becomes a 
   const [{ extras, primitives, weights }] = partsOfGlb(await editor.download("download-glb")).json.meshes;
   await page.waitForSelector("#verdict[data-verdict='valid']");
   assert.equal(extras.targetNames.length, primitives[0].targets.length);
-  assert.equal(extras.targetNames.length, await page.locator("[data-expression]").count());
+  assert.equal(extras.targetNames.length, await page.locator("[id^='expression-']").count());
   assert.deepEqual(extras.targetNames.filter((_, place) => weights[place] !== 0), ["jawOpen"]);
   assert.equal(weights[extras.targetNames.indexOf("jawOpen")], 0.6);
 });
@@ -58,14 +58,14 @@ test("both sides can move together or apart, and reset is one undo step", { tag:
   await page.check("#expressions-both");
   await express(editor, "mouthSmileLeft", 50);
   assert.deepEqual(await editor.history(), ["Smile, right", "Smile, left"]);
-  assert.ok(await page.isHidden("[data-expression='mouthSmileRight']"));
+  assert.ok(await page.isHidden("#expression-mouthSmileRight"));
   await page.uncheck("#expressions-both");
   await express(editor, "mouthSmileRight", 20);
   assert.equal(await fieldOf(editor, "mouthSmileLeft").inputValue(), "50");
   assert.equal(await fieldOf(editor, "mouthSmileRight").inputValue(), "20");
   const smiling = await editor.meshJson("mm");
   await editor.unfold("section-expressions");
-  await page.click("[data-action='reset-expressions']");
+  await page.click("[data-action='expressions.rest']");
   assert.ok(maxDisplacement(shape, await editor.meshJson("mm")) < 1e-9);
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), smiling);

@@ -13,7 +13,7 @@ test("nose width moves both sides equally, is one entry, and equals the command 
   const before = await editor.meshJson("mm");
 
   await editor.unfold("section-face");
-  const track = page.locator("[data-slider='nose-width'] input[type=range]");
+  const track = page.locator("#slider-nose-width input[type=range]");
   await track.scrollIntoViewIfNeeded();
   const { x, y, width, height } = await track.boundingBox();
   await editor.drag({ x: x + width / 2, y: y + height / 2 }, { x: 0.3 * width, y: 0 });
@@ -41,13 +41,13 @@ test("a slider shows the sum of its entries, and a double click on its name rese
   await editor.setSlider("lip-fullness", 1.5);
   assert.deepEqual(await editor.history(), ["Lip fullness", "Chin length", "Lip fullness"]);
   await editor.reveal("#history");
-  await page.locator("#history li input").last().uncheck();
+  await page.locator("#history .check input").last().uncheck();
   assert.equal(await editor.sliderValue("lip-fullness"), -0.5);
-  await page.locator("#history li input").last().check();
+  await page.locator("#history .check input").last().check();
   assert.equal(await editor.sliderValue("lip-fullness"), 1.5);
   for (const slider of ["lip-fullness", "chin-length"]) {
     await editor.unfold("section-face");
-    await page.dblclick(`[data-slider="${slider}"] .slider-label`);
+    await page.dblclick(`#slider-${slider} .slider-label`);
     assert.equal(await editor.sliderValue(slider), 0);
   }
   assert.ok(maxDisplacement(start, await editor.meshJson("mm")) < 1e-9);
@@ -56,11 +56,11 @@ test("a slider shows the sum of its entries, and a double click on its name rese
 test("sliders work by keyboard and in Portuguese, and keep the selected landmark", async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   await page.selectOption("#language", "pt");
-  assert.equal(await page.innerText("[data-slider='jaw-width'] .slider-label"), "Largura da mandíbula");
+  assert.equal(await page.innerText("#slider-jaw-width .slider-label"), "Largura da mandíbula");
   await editor.unfold("section-face");
-  await page.focus("[data-slider='jaw-width'] input[type=range]");
+  await page.focus("#slider-jaw-width input[type=range]");
   for (let press = 0; press < 5; press++) await page.keyboard.press("ArrowRight");
-  await page.waitForSelector("#history li");
+  await page.waitForSelector("#history .check");
   assert.deepEqual(await editor.history(), ["Largura da mandíbula"]);
   assert.match(await page.innerText("#announcement"), /Largura da mandíbula: 0,5 milímetros/);
   assert.equal(await editor.sliderValue("jaw-width"), 0.5);
@@ -72,12 +72,12 @@ test("sliders work by keyboard and in Portuguese, and keep the selected landmark
 test("symmetry is an action with a percentage, listed and undone like an edit", { tag: "@rare" }, async ({ editor, page }) => {
   const before = await editor.meshJson("mm");
   await editor.unfold("section-face");
-  await page.fill("#symmetrise-share", "100");
-  await page.click("[data-action='symmetrise']");
+  await page.fill("#symmetrise .number-field", "100");
+  await page.click("[data-action='symmetrise.apply']");
   const after = await editor.meshJson("mm");
   const [right, left] = WINGS.map((wing) => after.positions[wing]);
   assert.ok(Math.abs(right[0] + left[0]) < 1e-9 && Math.abs(right[1] - left[1]) < 1e-9);
-  assert.match(await page.innerText("#history li"), /Make symmetric\s*100 %/);
+  assert.match(await page.innerText("#history .check"), /Make symmetric\s*100 %/);
   assertSameMesh(after, await meshByCommandLine(SAMPLE, [...PAGE_OPTIONS, "--symmetrise", "1"]));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), before);

@@ -27,11 +27,11 @@ test("each face of a group keeps its edits and name when you switch between them
   const second = await visitor.work();
   assert.notDeepEqual(second.mesh, first.mesh);
   await visitor.unfold("section-view");
-  await page.check("#wireframe");
+  await page.check("#view-wireframe");
 
   await choose(visitor, 0);
   assert.deepEqual(await visitor.work(), first);
-  assert.ok(await page.isChecked("#wireframe"), "the view settings changed with the face");
+  assert.ok(await page.isChecked("#view-wireframe"), "the view settings changed with the face");
   await page.click("#toolbar [data-action='undo']");
   assert.notDeepEqual((await visitor.work()).mesh, first.mesh);
   await page.click("#toolbar [data-action='redo']");

@@ -43,7 +43,7 @@ test("the open work stays when memory runs out while another file opens", async 
   assert.deepEqual(await visitor.history(), ["nose tip"]);
   assert.deepEqual(await visitor.meshJson("mm"), mesh);
   await visitor.drop(await readFile(SAMPLE), "again.png");
-  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
 });
 
 for (const { loss, lose, label, code, tag } of [

@@ -41,7 +41,7 @@ test("a wider falloff band moves more of the photo", { tag: "@rare" }, async ({ 
   const widths = [];
   for (const share of [10, 35, 80]) {
     await editor.unfold("section-in-photo");
-    await editor.page.locator("#in-photo-falloff-band input[type=number]").fill(String(share));
+    await editor.page.locator("#in-photo-ring .number-field").fill(String(share));
     await editor.page.keyboard.press("Tab");
     const { left, right } = differingBox(await sample(), await photoOf(editor));
     widths.push(right - left);
@@ -53,14 +53,14 @@ test("the photo can be viewed from further away, from nearer, and as taken", { t
   const photos = [];
   for (const cm of [30, 300]) {
     await editor.unfold("section-in-photo");
-    await editor.page.locator("#in-photo-distance input[type=number]").fill(String(cm));
+    await editor.page.locator("#in-photo-distance .number-field").fill(String(cm));
     await editor.page.keyboard.press("Tab");
     photos.push(await photoOf(editor));
     assert.ok(largestStep(photos.at(-1), await byCommandLine(["--seen-from", String(cm)])) <= 1, `${cm} cm`);
   }
   assert.ok(differenceNear(photos[0], photos[1], NOSE, 40) > 0.2);
   await editor.unfold("section-in-photo");
-  await editor.page.click("#seen-as-taken");
+  await editor.page.click("#in-photo-as-taken");
   assert.equal(difference(await photoOf(editor), await sample()), 0);
 });
 

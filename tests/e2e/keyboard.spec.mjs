@@ -17,10 +17,10 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   assert.match(await page.innerText("#announcement"), /nose tip · \d+ selected/i);
   const before = await visitor.meshJson("mm");
 
-  await visitor.reveal("#landmark-sliders");
-  await page.focus("#landmark-sliders [data-axis='z'] input[type=range]");
+  await visitor.reveal("#landmark-offset");
+  await page.focus("#landmark-offset [data-axis='z'] input[type=range]");
   for (let press = 0; press < 10; press++) await page.keyboard.press("ArrowRight");
-  assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "1");
+  assert.equal(await page.inputValue("#landmark-offset [data-axis='z'] .number-field"), "1");
   await page.waitForFunction(() => document.getElementById("announcement")?.textContent?.includes("z 1.0 mill"));
   assert.notDeepEqual(await visitor.meshJson("mm"), before);
 
@@ -29,8 +29,8 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   await page.keyboard.press("Control+Shift+z");
   assert.notDeepEqual(await visitor.meshJson("mm"), before);
 
-  await visitor.reveal("#landmark-sliders");
-  await page.focus("#landmark-sliders [data-axis='y'] input[type=number]");
+  await visitor.reveal("#landmark-offset");
+  await page.focus("#landmark-offset [data-axis='y'] .number-field");
   await page.keyboard.type("3");
   await page.keyboard.press("Enter");
   assert.equal((await visitor.history()).length, 2);
@@ -41,7 +41,7 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   assert.notEqual(await page.textContent("#announcement"), undone, "a repeated undo is not announced");
   await page.keyboard.press("Control+y");
   assert.equal((await visitor.history()).length, 1);
-  assert.equal(await page.inputValue("#landmark-sliders [data-axis='y'] input[type=number]"), "0");
+  assert.equal(await page.inputValue("#landmark-offset [data-axis='y'] .number-field"), "0");
 });
 
 test("the skip link leads to the search on each tab", { tag: "@rare" }, async ({ editor, page }) => {

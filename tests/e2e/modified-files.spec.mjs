@@ -13,7 +13,7 @@ test("a GLB of the command line's finest mesh opens with a pending edit and can 
   const glb = await glbByCommandLine(SAMPLE, options);
   await visitor.drop(glb, "dense.glb");
   await visitor.untilFace();
-  await page.waitForSelector("#history .waits", { state: "attached" });
+  await page.waitForSelector("#history .check-notes > :nth-child(2)", { state: "attached" });
   assert.ok(await page.isHidden("#notice"));
   assert.equal(await page.inputValue("#density"), "3");
   const found = await visitor.meshJson("mm");
@@ -34,7 +34,7 @@ test("a GLB of the command line's finest mesh opens with a pending edit and can 
   await visitor.resume();
   assert.deepEqual(await visitor.meshJson("mm"), work);
   assert.equal((await visitor.history()).length, 3);
-  assert.equal(await page.locator("#history .waits").count(), 1);
+  assert.equal(await page.locator("#history .check-notes > :nth-child(2)").count(), 1);
 });
 
 test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a halved texture is accepted", { tag: "@eyes" }, async ({ editor, page }) => {

@@ -71,7 +71,7 @@ test("photos from other sides change the mesh like on the command line, are save
   assert.deepEqual(await visitor.meshJson("mm"), edited, "the mesh differs after the reload");
   await visitor.drop(glb, "portrait.glb");
   await visitor.untilFace();
-  await expect(page.locator("#history li")).toHaveCount(0);
+  await expect(page.locator("#history .check")).toHaveCount(0);
   await untilPhotos(visitor, 3);
   assert.deepEqual((await visitor.meshJson("mm")).positions, together.positions, "the mesh differs after reopening");
 

@@ -32,7 +32,7 @@ test("a small photo or a GLB replaces a large photo that is still being read", a
   await page.click("#toolbar [data-action='undo']");
   await dropBoth(page, large, glb);
   await page.waitForSelector("#progress", { state: "hidden" });
-  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 1);
+  await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 1);
   // The worker has still replied to the photo.
   await untilOpened(visitor, 6);
   assert.deepEqual(await visitor.history(), history);

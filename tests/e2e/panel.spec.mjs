@@ -60,14 +60,14 @@ for (const [[device, visit], tag] of variants(Object.entries({ desktop: DESKTOP,
 
 test("the presets show which one is active and what it does, or Custom", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.enableExpert();
-  const segments = page.locator("[data-choice='preset'] span").filter({ visible: true });
+  const segments = page.locator("#preset span").filter({ visible: true });
   const custom = page.locator("input[name='preset'][value='custom']");
   await expect(segments).toHaveText(["Sculpt", "Research paper"]);
   assert.match(await page.innerText("#preset-help"), /exactly where you put it/);
   await editor.choosePreset("paper");
   assert.match(await page.innerText("#preset-help"), /two random fixed points/);
-  await editor.reveal("#mirror");
-  await page.locator("#mirror").click();
+  await editor.reveal("#edit-mirror");
+  await page.locator("#edit-mirror").click();
   await expect(segments).toHaveText(["Sculpt", "Research paper", "Custom"]);
   assert.ok(await custom.isChecked());
   assert.ok(await custom.isDisabled(), "Custom can be chosen");
@@ -84,8 +84,8 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
     await visitor.openFace();
     assert.equal((await page.locator("#panel").boundingBox()).width, panel_px);
     await visitor.enableExpert();
-    await visitor.reveal("#mirror");
-    await page.locator("#mirror").click();
+    await visitor.reveal("#edit-mirror");
+    await page.locator("#edit-mirror").click();
     for (const language of ["en", "pt"]) {
       await visitor.setLanguage(language);
       for (const tab of ["shape", "view", "export"]) {

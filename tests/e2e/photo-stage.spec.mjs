@@ -76,7 +76,7 @@ test("the thumbnail shows edits while they are made", async ({ editor }) => {
   await editor.frames(4);
   const small = async () => PNG.sync.read(await editor.page.locator("#photo-thumbnail").screenshot());
   const before = await small();
-  await editor.page.locator("[data-slider='jaw-width'] input[type=range]").evaluate((slider) => {
+  await editor.page.locator("#slider-jaw-width input[type=range]").evaluate((slider) => {
     slider.value = slider.min;
     slider.dispatchEvent(new Event("input", { bubbles: true }));
   });
@@ -135,13 +135,13 @@ test("areas protected by the brush stay unchanged, have separate undo, and survi
 test("an edit along the view shows a note that offers a better view", { tag: "@rare" }, async ({ visitor }) => {
   await photoOnStage(visitor);
   await visitor.findLandmark("nose tip");
-  assert.ok(await visitor.page.isHidden("#depth-note"));
+  assert.ok(await visitor.page.isHidden("#depth"));
   await visitor.setOffset("y", 3);
-  assert.ok(await visitor.page.isHidden("#depth-note"), "a visible edit shows the note");
+  assert.ok(await visitor.page.isHidden("#depth"), "a visible edit shows the note");
   await visitor.setOffset("y", 0);
   await visitor.setOffset("z", 9);
-  assert.ok(await visitor.page.isVisible("#depth-note"));
-  await visitor.page.click("[data-action='show-depth']");
+  assert.ok(await visitor.page.isVisible("#depth"));
+  await visitor.page.click("[data-action='depth.show']");
   assert.equal(await scene(visitor), "solid");
   await visitor.frames(3);
   const [tip, chin] = [await visitor.landmarkPosition(4), await visitor.landmarkPosition(152)];

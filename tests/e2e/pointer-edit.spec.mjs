@@ -63,8 +63,8 @@ for (const [[density, points], tag] of variants([["0", LANDMARKS], ["3", DENSEST
 }
 
 test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
-  await editor.reveal("#mirror");
-  await page.uncheck("#mirror");
+  await editor.reveal("#edit-mirror");
+  await page.uncheck("#edit-mirror");
   await editor.findLandmark("nose tip");
   const tip = await editor.tagPosition();
   const start = await editor.meshJson("mm");
@@ -100,13 +100,13 @@ test("the wheel changes the influence radius during a drag, which stays one edit
   const tip = await editor.tagPosition();
   const start = await editor.meshJson("mm");
   await editor.grab(tip, { x: 0, y: -30 });
-  const radius = page.locator("#radius input[type=number]");
+  const radius = page.locator("#edit-radius .number-field");
   const pictures = [await editor.view()];
   const radii_mm = [];
   for (const wheel of [-400, -400, 300]) {
     await page.mouse.wheel(0, wheel);
     await editor.frames(3);
-    assert.ok(await page.isChecked("#nearby"));
+    assert.ok(await page.isChecked("#edit-nearby"));
     radii_mm.push(Number(await radius.inputValue()));
     assert.equal(await page.innerText("#landmark-tag"), `nose tip · 1, within ${radii_mm.at(-1)} mm`);
     pictures.push(await editor.view());
@@ -147,8 +147,8 @@ test("with mirroring the other side follows, and the symmetry plane is drawn dur
     return differenceNear(plain, seen, await editor.toViewPixels(forehead), 6);
   };
   assert.ok((await whileDragging()) > 0, "the symmetry plane is not drawn");
-  await editor.reveal("#mirror");
-  await page.uncheck("#mirror");
+  await editor.reveal("#edit-mirror");
+  await page.uncheck("#edit-mirror");
   assert.equal(await whileDragging(), 0, "the symmetry plane is drawn without mirroring");
   await editor.setOffset("x", -4);
   assert.ok(Math.abs(displacement(start, await editor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);

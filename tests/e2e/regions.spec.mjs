@@ -86,18 +86,18 @@ test("the selection is reset in one undoable step", { tag: "@rare" }, async ({ e
   await editor.move("bottom of the chin", "y", -6);
   const chin = await editor.meshJson("mm");
   await editor.selectRegion("nose");
-  assert.ok(await page.isDisabled("[data-action='reset-selection']"));
+  assert.ok(await page.isDisabled("[data-action='reset.one']"));
   await editor.setOffset("z", 4);
   await editor.setOffset("y", 2);
   const both = await editor.meshJson("mm");
 
   await editor.unfold("section-history");
-  await page.click("[data-action='reset-selection']");
+  await page.click("[data-action='reset.one']");
   assert.match(await page.innerText("#announcement"), /nose/);
   assert.deepEqual(await editor.meshJson("mm"), chin);
-  assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "0");
-  assert.ok(await page.isDisabled("[data-action='reset-selection']"));
+  assert.equal(await page.inputValue("#landmark-offset [data-axis='z'] .number-field"), "0");
+  assert.ok(await page.isDisabled("[data-action='reset.one']"));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), both);
-  assert.equal(await page.inputValue("#landmark-sliders [data-axis='z'] input[type=number]"), "4");
+  assert.equal(await page.inputValue("#landmark-offset [data-axis='z'] .number-field"), "4");
 });

@@ -23,7 +23,7 @@ for (const [paint, tag] of variants(["photo", "colours"])) {
     await editor.drop(file, "rosto.glb");
     await editor.untilFace();
     assertRestored(await editor.meshJson("mm"), work);
-    assert.equal(await page.locator("#history li").count(), 2);
+    assert.equal(await page.locator("#history .check").count(), 2);
     const opened = await editor.view();
     assert.ok(colourCount(opened) > 40, "the face was restored without its colours");
     // The texture is a JPEG, so compare means, not pixels.

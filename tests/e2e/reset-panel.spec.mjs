@@ -20,25 +20,25 @@ for (const [[what, fileOf], tag] of variants(/** @type {const} */ ([
     await editor.selectRegion("left-brow");
     await editor.setOffset("y", 3);
     await editor.unfold("section-face");
-    await page.fill("#symmetrise-share", "80");
+    await page.fill("#symmetrise .number-field", "80");
     await editor.unfold("section-export");
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-verdict='valid']");
     // Typed, but not committed.
     await editor.unfold("section-face");
-    await page.locator("[data-slider='nose-width'] input[type=number]").fill("7");
+    await page.locator("#slider-nose-width .number-field").fill("7");
     await page.evaluate(() => (document.getElementById("sections").scrollTop = 400));
     assert.notDeepEqual(await controls(page), fresh);
 
     await editor.drop(bytes, name);
-    await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+    await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
     await editor.frames(5);
     assert.deepEqual(await controls(page), { ...fresh, tab: "shape", chosenTab: "tab-shape", scroll: 0, verdict: "" });
     assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
     assert.equal(await page.locator("[data-typing]").count(), 0);
 
     // Unfinished input of the previous face is not committed later.
-    await page.locator("#symmetrise-share").focus();
+    await page.locator("#symmetrise .number-field").focus();
     await page.clock.runFor(1000);
     assert.deepEqual(await editor.history(), []);
     assert.equal(await editor.sliderValue("nose-width"), 0);
@@ -64,10 +64,10 @@ test("choosing another face of a group keeps the tab", async ({ visitor, page })
   await openGroup(visitor);
   await visitor.findLandmark("nose tip");
   await visitor.unfold("section-face");
-  await page.fill("#symmetrise-share", "80");
+  await page.fill("#symmetrise .number-field", "80");
   await visitor.unfold("section-view");
   await chooseFace(visitor, 1);
-  await page.waitForFunction(() => document.getElementById("symmetrise-share").value === "50");
+  await page.waitForFunction(() => document.querySelector("#symmetrise .number-field").value === "50");
   assert.equal(await page.getAttribute("body", "data-tab"), "view");
   assert.equal(await page.inputValue("#landmark-search"), "");
 });
@@ -82,10 +82,10 @@ function controls(page) {
       scroll: document.getElementById("sections").scrollTop,
       region: value("region"),
       search: value("landmark-search"),
-      share: value("symmetrise-share"),
-      numbers: [...document.querySelectorAll("#face-sliders input, #landmark-sliders input")].map((input) => input.value),
+      share: document.querySelector("#symmetrise .number-field").value,
+      numbers: [...document.querySelectorAll("#face-sliders input, #landmark-offset input")].map((input) => input.value),
       verdict: document.getElementById("verdict").innerText,
-      entries: document.querySelectorAll("#history li").length,
+      entries: document.querySelectorAll("#history .check").length,
     };
   });
 }

@@ -94,7 +94,7 @@ test("a face opened during a restart leaves the saved work unchanged", async ({ 
   }, new Uint8Array(other));
   await untilRestarted(editor);
   await editor.drop(other, "other.rosto");
-  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
   await untilSaved(page);
   assert.deepEqual(await histories(), kept);
 });
@@ -106,7 +106,7 @@ async function workOn(visitor) {
   await visitor.unfold("section-view");
   await page.selectOption("#density", "1");
   await page.check("input[name='shading'][value='colours']", { force: true });
-  await page.locator("#light-sliders input[type=number]").first().fill("80");
+  await page.locator("#light-lamp .number-field").first().fill("80");
   const start = await visitor.meshJson("mm");
   await visitor.move("nose tip", "z", 9);
   await visitor.setSlider("nose-width", 4);

@@ -17,7 +17,7 @@ test("the panel shows the estimated distance, which can be changed and is saved 
   assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
   const [found, before] = [await measures(page), await editor.view()];
   assert.ok(found["Face width"] > 100 && found["Face width"] < 180, `${found["Face width"]} mm wide`);
-  const number = page.locator("#size-distance input[type=number]");
+  const number = page.locator("#size-distance .number-field");
   const usual = await number.inputValue();
   await number.fill("25");
   await number.press("Enter");

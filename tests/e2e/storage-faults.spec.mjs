@@ -169,7 +169,7 @@ test("the last saved work counts as the latest, regardless of clock changes", { 
   await third.resume();
   assert.deepEqual(await third.work(), latest);
   // The same for drafts, which are saved when the page is hidden.
-  const offset_mm = ({ page }) => page.locator("#landmark-sliders [data-axis='z'] input[type=number]");
+  const offset_mm = ({ page }) => page.locator("#landmark-offset [data-axis='z'] .number-field");
   await third.findLandmark("nose tip");
   await third.page.evaluate(setClockBack);
   await offset_mm(third).evaluate((field) => {
@@ -193,7 +193,7 @@ async function twoWorks(open) {
   const older = await visitor.work();
   await untilSaved(visitor.page);
   await visitor.dropSample();
-  await page.waitForFunction(() => document.querySelectorAll("#history li").length === 0);
+  await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
   await visitor.move("nose tip", "z", 9);
   const latest = await visitor.work();
   await untilSaved(visitor.page, 2);

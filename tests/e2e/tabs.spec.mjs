@@ -59,7 +59,7 @@ test("a face edited in another tab is restored in the first tab as left there", 
   const left = await first.work();
   const choose = async (index) => {
     await chooseFace(first, index);
-    await expect(page.locator("#history li")).toHaveCount(index === 0 ? 1 : 0);
+    await expect(page.locator("#history .check")).toHaveCount(index === 0 ? 1 : 0);
   };
   await choose(1);
   await untilSaved(page, 2);

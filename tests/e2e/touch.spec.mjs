@@ -61,7 +61,7 @@ test("on a phone a tap selects, a drag moves, and a second finger changes the in
   assert.deepEqual(await editor.history(), [], "a tap made an edit");
 
   // Touch is inexact, so a press near the selection grabs it.
-  const radius = async () => Number(await page.inputValue("#radius input[type=number]"));
+  const radius = async () => Number(await page.inputValue("#edit-radius .number-field"));
   const usual_mm = await radius();
   const beside = { x: lip.x - 16, y: lip.y + 12, id: 0 };
   await send("touchStart", [beside]);

@@ -302,14 +302,14 @@ export class Visitor {
 
   /** Chooses the preset of edits. @param {"sculpt" | "paper"} preset */
   async choosePreset(preset) {
-    await this.reveal("[data-choice='preset']");
+    await this.reveal("#preset");
     await this.page.check(`input[name="preset"][value="${preset}"]`, { force: true });
   }
 
   /** Enters an offset into the number field of an axis. @param {"x" | "y" | "z"} axis @param {number} offset_mm */
   async setOffset(axis, offset_mm) {
     await this.unfold("section-landmark");
-    await this.#enter(`#landmark-sliders [data-axis="${axis}"]`, offset_mm);
+    await this.#enter(`#landmark-offset [data-axis="${axis}"]`, offset_mm);
   }
 
   /**
@@ -332,12 +332,12 @@ export class Visitor {
    */
   async setSlider(slider, amount_mm) {
     await this.unfold("section-face");
-    await this.#enter(`[data-slider="${slider}"]`, amount_mm);
+    await this.#enter(`#slider-${slider}`, amount_mm);
   }
 
   /** @param {string} slider @param {number} amount_mm */
   async #enter(slider, amount_mm) {
-    const field = this.page.locator(`${slider} input[type=number]`);
+    const field = this.page.locator(`${slider} .number-field`);
     await field.fill(String(amount_mm));
     await field.press("Tab");
     await this.frames(3);
@@ -345,12 +345,12 @@ export class Visitor {
 
   /** @param {string} slider */
   async sliderValue(slider) {
-    return Number(await this.page.inputValue(`[data-slider="${slider}"] input[type=number]`));
+    return Number((await this.page.inputValue(`#slider-${slider} .number-field`)).replace(",", "."));
   }
 
   /** Names of the listed edits, newest first. */
   async history() {
-    return this.page.locator("#history .what").allInnerTexts();
+    return this.page.locator("#history .check-label").allInnerTexts();
   }
 
   /** Number of the selected landmark. */
@@ -366,8 +366,8 @@ export class Visitor {
 
   /** Anchors of the edit, as the panel lists them. */
   async anchors() {
-    const text = await this.page.locator("#landmark-anchors").getAttribute("data-anchors");
-    return (text ?? "").split(" ").filter(Boolean).map(Number);
+    const text = (await this.page.textContent("#landmark-anchors")) ?? "";
+    return (text.split(": ")[1] ?? "").split(", ").filter(Boolean).map(Number);
   }
 
   /** @param {"mm" | "image"} units */

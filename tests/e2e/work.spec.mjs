@@ -17,7 +17,7 @@ test("work survives a reload, is offered again, and can move to another browser 
   const second = await open();
   await second.drop(file, "face.rosto");
   await second.untilFace();
-  await second.page.waitForSelector("#history li");
+  await second.page.waitForSelector("#history .check");
   assert.deepEqual(await second.meshJson("mm"), work);
 
   await second.drop(file.subarray(0, 2000), "half.rosto");
@@ -31,7 +31,7 @@ test("the history lists the edits, and each can be switched off and on", async (
   const nose = await editor.meshJson("mm");
   await editor.move("bottom of the chin", "y", -6);
   const both = await editor.meshJson("mm");
-  const items = page.locator("#history li");
+  const items = page.locator("#history .check");
   await expect(items).toHaveCount(2);
 
   for (const [isOn, mesh] of [[false, nose], [true, both]]) {

@@ -35,7 +35,7 @@ test("a crashed worker restarts and leaves the work unchanged", async ({ visitor
   const worker = await next;
   assert.deepEqual(await visitor.meshJson("mm"), work);
   await visitor.dropSample();
-  await expect(page.locator("#history li")).toHaveCount(0);
+  await expect(page.locator("#history .check")).toHaveCount(0);
 
   await visitor.move("nose tip", "z", 7);
   await worker.evaluate(crashBefore, "open");

@@ -29,8 +29,10 @@ export function setUpPanels(host: Host) {
 /** Puts a section before those of the page, or a single widget into its place. */
 function place(section: HTMLElement) {
   const there = document.querySelector(`[data-place="${section.id || section.querySelector("[id]")?.id}"]`);
+  // The toolbar names its choices for screen readers only.
+  if (there?.closest("[role=toolbar]")) section.querySelector("legend")?.classList.add("visually-hidden");
   if (there) there.replaceChildren(section);
-  else byId("section-export", HTMLElement).before(section);
+  else byId("panel-foot", HTMLElement).before(section);
 }
 
 /** The switch that shows technical controls and point numbers. */

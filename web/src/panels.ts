@@ -32,7 +32,7 @@ export class Panels {
 
   /** Shows all texts in the current language. */
   translate() {
-    for (const { view, widget } of this.#views.values()) this.#showIn(view, widget);
+    for (const { view, widget } of this.#views.values()) this.#showIn(view, widget, false);
   }
 
   /** Shows a widget; returns its element. */
@@ -44,11 +44,11 @@ export class Panels {
     return view.element;
   }
 
-  #showIn(view: View, widget: Widget) {
+  #showIn(view: View, widget: Widget, withChildren = true) {
     const { element } = view;
     element.hidden = widget.isHidden;
     element.toggleAttribute("data-expert", widget.level === "expert");
-    view.show(widget);
+    view.show(widget, withChildren);
   }
 
   #make(widget: Widget): View {
@@ -82,10 +82,10 @@ export class Panels {
     if (element instanceof HTMLDetailsElement) element.open = isOpen;
     return {
       element,
-      show: (widget) => {
+      show: (widget, withChildren) => {
         title(labelOf(widget));
         if (element instanceof HTMLFieldSetElement) element.disabled = !widget.isEnabled;
-        this.#fill(body, (widget.control as Of<"group">).widgets);
+        if (withChildren) this.#fill(body, (widget.control as Of<"group">).widgets);
       },
     };
   }
@@ -243,11 +243,16 @@ function makeColour(id: string, send: Send): View {
 function makeButton(id: string, send: Send): View {
   const element = make("button", "button small");
   [element.type, element.id, element.dataset["action"]] = ["button", domId(id), id];
-  element.addEventListener("click", () => send({ push: id }));
+  let isOfPage = false;
+  // The page performs its own actions: see onAction.
+  element.addEventListener("click", () => isOfPage || send({ push: id }));
   return {
     element,
     show: (widget) => {
+      isOfPage = (widget.control as Of<"button">).isOfPage;
       element.textContent = labelOf(widget);
+      const long = `${widget.label?.key ?? id}.long`;
+      if (isWord(long)) [element.ariaLabel, element.title] = [t(long), t(long)];
       for (const button of [element, ...document.querySelectorAll<HTMLButtonElement>(`button[data-action="${id}"]`)]) button.disabled = !widget.isEnabled;
     },
   };
@@ -264,6 +269,7 @@ function makeText(id: string): View {
       if (element.textContent !== text) element.textContent = text;
       element.hidden ||= text === "";
       element.classList.toggle("field-error", tone === "error");
+      element.dataset["tone"] = tone;
       if (tone === "status") element.role = "status";
     },
   };
@@ -275,6 +281,7 @@ function makeFacts(id: string): View {
   return {
     element,
     show: (widget) => {
+      element.toggleAttribute("data-stale", !widget.isEnabled);
       const cells = ([name, value]: [Phrase, Phrase]) => [make("dt", "", textOf(name)), make("dd", "", textOf(value))];
       element.replaceChildren(...(widget.control as Of<"facts">).rows.flatMap(cells));
     },

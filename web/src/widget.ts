@@ -8,7 +8,8 @@ export type Send = (intent: Intent) => void;
 /** A widget on the page. The element stays while the widget's value changes, and with it focus and open folds. */
 export interface View {
   element: HTMLElement;
-  show(widget: Widget): void;
+  /** `withChildren`: also shows the widgets of a group, of which newer values may be shown. */
+  show(widget: Widget, withChildren: boolean): void;
 }
 
 /** Id of a widget's element. */

@@ -46,7 +46,7 @@ pub use live_preview::LivePreview;
 pub use message::{
     Applied, Catalogue, LightSettings, PhotoState, SliderRange, State, Tick,
 };
-pub use panel::{ChoiceLook, Control, GroupLook, Level, MAX_LISTED, PanelDiff, Part, Phrase, Tone, Value, Widget};
+pub use panel::{Abilities, BodyError, BodyFacts, ChoiceLook, Control, GroupLook, Level, MAX_LISTED, Outcome, PanelDiff, Part, Phrase, Report, Tone, Value, Widget};
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
 pub use range::Range;
 pub use rows::Row;

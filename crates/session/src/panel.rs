@@ -5,8 +5,10 @@
 //! differ from those of an earlier time.
 
 mod choices;
+mod export;
 mod expressions;
 mod face;
+mod files;
 mod history;
 mod in_photo;
 mod method;
@@ -24,6 +26,8 @@ use tsify::Tsify;
 
 use crate::{Changed, Intent, Session, SessionError};
 pub(crate) use expressions::shown;
+pub use files::{Abilities, BodyError, BodyFacts, Outcome, Report};
+pub(crate) use files::Files;
 pub(crate) use face::{range_mm, slid};
 pub use history::MAX_LISTED;
 pub use phrase::{Part, Phrase};
@@ -35,7 +39,7 @@ pub use widget::{ChoiceLook, Control, GroupLook, Level, Tone, Value, Widget};
 type Section = (fn(&Session) -> Widget, bool);
 
 /// The sections, in display order.
-const SECTIONS: [Section; 11] = [
+const SECTIONS: [Section; 10] = [
     (view::scene, false),
     (face::section, true),
     (expressions::section, true),
@@ -45,8 +49,7 @@ const SECTIONS: [Section; 11] = [
     (method::section, false),
     (view::section, false),
     (size::section, false),
-    (view::texture_size, false),
-    (view::export_density, false),
+    (export::section, false),
 ];
 
 /// Widgets that have changed. A group takes the place of its earlier widgets.

@@ -19,7 +19,7 @@ use rosto_stage::{Axis, Scene, Stage};
 use crate::gesture::{Gesture, Hovered};
 use crate::live_preview::LivePreview;
 use crate::open_face::OpenFace;
-use crate::panel::PanelState;
+use crate::panel::{Files, PanelState};
 use crate::seeds::Seeds;
 use crate::texture::TextureRequests;
 use crate::{Changed, EditOptions, SelectionMode, SessionError, View, marks};
@@ -43,6 +43,7 @@ pub struct Session {
     live_preview: Option<LivePreview>,
     textures: TextureRequests,
     pub(crate) panel: PanelState,
+    pub(crate) files: Files,
 }
 
 type Result<T = Changed, E = SessionError> = std::result::Result<T, E>;
@@ -63,6 +64,7 @@ impl Session {
             live_preview: None,
             textures: TextureRequests::default(),
             panel: PanelState::default(),
+            files: Files::default(),
         };
         session.stage.render_settings_mut().dotted = Some(LANDMARK_COUNT as u32);
         session.show_empty();
@@ -153,6 +155,7 @@ impl Session {
             self.show_marks();
             self.keep_in_frame();
             self.update_tape();
+            self.files.outdate();
         }
         if changed >= Changed::Tick {
             marks::show_offset(&mut self.stage, self.face.as_ref());

@@ -1,4 +1,3 @@
-use rosto::{ExpressionsAs, Eyes, FileOptions, Format};
 use rosto_stage::Background;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
@@ -11,19 +10,25 @@ use crate::snapshot::Snapshot;
 /// Facts for files, and pictures of the view.
 #[wasm_bindgen]
 impl Studio {
-    /// Numbers of points and triangles of the mesh in a GLB, for values of the file options "eyes" and "expressions".
-    ///
-    /// # Errors
-    /// `no-face` or `bad-choice`.
-    #[wasm_bindgen(js_name = meshCounts)]
-    pub fn mesh_counts(&self, eyes: &str, expressions: &str) -> Result<Vec<u32>, JsValue> {
-        let options = FileOptions {
-            eyes: FacadeError::require(Eyes::from_id(eyes))?,
-            expressions: FacadeError::require(ExpressionsAs::from_id(expressions))?,
-            ..FileOptions::default()
-        };
-        let has_pieces = options.has_pieces(Format::Glb);
-        Ok(self.face()?.mesh_counts(has_pieces).map(|count| count as u32).to_vec())
+    /// Options of exported files, as the worker's `FileOptions` has them.
+    #[wasm_bindgen(js_name = fileOptions, unchecked_return_type = "Record<string, string>")]
+    pub fn file_options(&self) -> js_sys::Object {
+        let entries = self.session.file_options().into_iter();
+        let entries: js_sys::Array =
+            entries.map(|(id, value)| js_sys::Array::of2(&id.into(), &value.into())).collect();
+        js_sys::Object::from_entries(&entries).unwrap_or_default()
+    }
+
+    /// Name of an exported mesh, with the number of its points unless it has the default density.
+    #[wasm_bindgen(js_name = fileName)]
+    pub fn file_name(&self, extension: &str) -> String {
+        self.session.file_name(extension)
+    }
+
+    /// Whether the panel asks for pictures with a transparent background.
+    #[wasm_bindgen(getter, js_name = isTransparent)]
+    pub fn is_transparent(&self) -> bool {
+        self.session.is_transparent()
     }
 
     /// Renders a picture of the view in any size, without marks and tools, optionally with a transparent background.

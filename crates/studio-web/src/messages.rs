@@ -29,6 +29,7 @@ impl Studio {
     /// the edit in progress has changed.
     #[wasm_bindgen(js_name = panelDiff)]
     pub fn panel_diff(&mut self, #[wasm_bindgen(js_name = isTick)] is_tick: bool) -> Result<Ts<PanelDiff>, JsValue> {
+        self.session.set_texture_side_px(self.texture_side_px());
         let changed = if is_tick { Changed::Tick } else { Changed::Document };
         Ok(sent(&self.session.panel_diff(&mut self.panel, changed))?)
     }

@@ -11,13 +11,6 @@ use crate::sent::sent;
 /// The whole-face texture. The worker bakes it, which takes longer than a frame.
 #[wasm_bindgen]
 impl Studio {
-    /// Side in px of the open face's texture at the selected size; undefined without a face.
-    #[wasm_bindgen(getter, js_name = textureSidePx)]
-    pub fn texture_side_px(&self) -> Option<u32> {
-        let (face, at_most_px) = (self.session.face()?, self.session.view().texture_size.px());
-        Some(texture_side_px(face.model(), |view| self.pictures.size_px(view.photo), at_most_px))
-    }
-
     /// Number of the texture that the open face needs; undefined if it is shown. It changes with the photos, their
     /// lenses and the selected size.
     #[wasm_bindgen(js_name = textureWanted)]
@@ -41,5 +34,13 @@ impl Studio {
         self.show_soon(changed);
         // The texture is not a user action: panels and their inputs stay as they are.
         Ok(sent(&changed.min(Changed::View))?)
+    }
+}
+
+impl Studio {
+    /// Side in px of the open face's texture at the selected size; none without a face.
+    pub(crate) fn texture_side_px(&self) -> Option<u32> {
+        let (face, at_most_px) = (self.session.face()?, self.session.view().texture_size.px());
+        Some(texture_side_px(face.model(), |view| self.pictures.size_px(view.photo), at_most_px))
     }
 }

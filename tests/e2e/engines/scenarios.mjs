@@ -35,7 +35,7 @@ export async function runCoreScenario(browser, url, pictures) {
     await driver.executeScript("document.activeElement.select()");
     await driver.actions().sendKeys(text, leaving).perform();
   };
-  const untilEdits = (count) => until(driver, `document.querySelectorAll("#history li").length === ${count}`, `${count} edits`);
+  const untilEdits = (count) => until(driver, `document.querySelectorAll("#history .check").length === ${count}`, `${count} edits`);
 
   await driver.get(url);
   await noteErrors(driver);
@@ -49,7 +49,7 @@ export async function runCoreScenario(browser, url, pictures) {
   const drawnBy = await renderer(driver);
 
   await type("#landmark-search", "nose tip", Key.ENTER);
-  await type("#landmark-sliders [data-axis='y'] input[type=number]", "9", Key.TAB);
+  await type("#landmark-offset [data-axis='y'] .number-field", "9", Key.TAB);
   await untilEdits(1);
   assert.ok(difference(found, await picture("by-number")) > 0.001, "the number did not change the picture");
   const lifted = await mesh(browser);

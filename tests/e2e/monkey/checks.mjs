@@ -76,7 +76,7 @@ async function expectSame(visit, before, cause) {
 
 /** Each edit and its checkbox. @param {Visit} visit */
 function history({ page }) {
-  return page.locator("#history li").evaluateAll((items) => items.map((item) => [item.textContent, item.querySelector("input")?.checked]));
+  return page.locator("#history .check").evaluateAll((items) => items.map((item) => [item.textContent, item.querySelector("input")?.checked]));
 }
 
 /** @param {Visit} visit @param {string} action @param {string} extension */

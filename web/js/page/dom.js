@@ -58,14 +58,23 @@ export function isTyping(event) {
 /** Types of inputs with text. */
 const TEXT = new Set(["text", "search", "email", "url", "tel", "password", "number"]);
 
+/** Actions by the name of their buttons. @type {Map<string, Set<(event: MouseEvent) => void>>} */
+const actions = new Map();
+
+document.addEventListener("click", (event) => {
+  const button = event.target instanceof Element && event.target.closest("button[data-action]");
+  if (!(button instanceof HTMLButtonElement)) return;
+  for (const action of actions.get(button.dataset["action"] ?? "") ?? []) action(event);
+});
+
 /**
- * Runs `action` when any element with `data-action="name"` is pressed.
+ * Runs `action` when any button with `data-action="name"` is pressed, also a later one.
  *
  * @param {string} name
  * @param {(event: MouseEvent) => void} action
  */
 export function onAction(name, action) {
-  for (const button of actionButtons(name)) button.addEventListener("click", action);
+  actions.set(name, (actions.get(name) ?? new Set()).add(action));
 }
 
 /**
@@ -73,10 +82,5 @@ export function onAction(name, action) {
  * @param {boolean} enabled
  */
 export function enableAction(name, enabled) {
-  for (const button of actionButtons(name)) button.disabled = !enabled;
-}
-
-/** @param {string} name */
-function actionButtons(name) {
-  return /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll(`button[data-action="${name}"]`));
+  for (const button of document.querySelectorAll(`button[data-action="${name}"]`)) button.toggleAttribute("disabled", !enabled);
 }

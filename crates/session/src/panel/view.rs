@@ -14,16 +14,6 @@ pub(super) fn scene(session: &Session) -> Widget {
     session.setting("scene", Choice::Scene, ChoiceLook::Segments)
 }
 
-/// Size of the texture in files.
-pub(super) fn texture_size(session: &Session) -> Widget {
-    session.setting("texture-size", Choice::TextureSize, ChoiceLook::List)
-}
-
-/// Density of the mesh in files.
-pub(super) fn export_density(session: &Session) -> Widget {
-    session.setting("export.density", Choice::Density, ChoiceLook::List).labelled("density".into())
-}
-
 /// Appearance of the stage.
 pub(super) fn section(session: &Session) -> Widget {
     let (view, settings) = (session.view(), session.stage().render_settings());

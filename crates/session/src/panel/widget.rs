@@ -91,7 +91,10 @@ pub enum Control {
         rgb: [u8; 3],
     },
     /// A button.
-    Button,
+    Button {
+        /// Whether the page performs its action, rather than the session.
+        is_of_page: bool,
+    },
     /// A text; none is empty.
     Text {
         /// The text.
@@ -150,6 +153,8 @@ pub enum Tone {
     Help,
     /// A change that screen readers announce.
     Status,
+    /// A success.
+    Success,
     /// An error.
     Error,
 }
@@ -299,7 +304,12 @@ pub(super) fn colour(id: &'static str, rgb: [u8; 3], act: impl Fn([u8; 3]) -> In
 }
 
 pub(super) fn button(id: &'static str, intent: Intent) -> Widget {
-    Widget::new(id, Control::Button).acting(move |_| Some(intent.clone()))
+    Widget::new(id, Control::Button { is_of_page: false }).acting(move |_| Some(intent.clone()))
+}
+
+/// A button whose action belongs to the page, such as a download.
+pub(super) fn page_button(id: impl Into<Cow<'static, str>>, label: impl Into<Phrase>) -> Widget {
+    Widget::new(id, Control::Button { is_of_page: true }).labelled(label.into())
 }
 
 pub(super) fn text(id: &'static str, phrase: Option<Phrase>, tone: Tone) -> Widget {

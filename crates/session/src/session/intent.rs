@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto::SavedFace;
-use rosto_export::TextureSize;
+use rosto_export::{ExportOption, TextureSize};
 use rosto_face::{Observation, PhotoLens, Triangulation};
 use rosto_stage::{
     Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Theme, Visibility,
@@ -11,7 +11,7 @@ use tsify::Tsify;
 
 use crate::drag::Pace;
 use crate::message::value;
-use crate::panel::Value;
+use crate::panel::{Report, Value};
 use crate::{AnchorChoice, Motion, Preset, Selection, SelectionMode, TextureSource, Turntable};
 
 /// A user action, and the message of the page for it. Positions are in device pixels from the top left of the canvas.
@@ -193,6 +193,17 @@ pub enum Intent {
         #[tsify(type = "boolean")]
         Switch,
     ),
+    /// Sets an option of exported files, by its id and the id of its value.
+    FileOption(
+        #[serde(deserialize_with = "value::id")]
+        #[tsify(type = "string")]
+        ExportOption,
+        String,
+    ),
+    /// Sets whether pictures have a transparent background.
+    Transparent(bool),
+    /// The page reports about its files.
+    Report(Report),
     /// Sets the share that the panel offers for `Symmetrise`.
     SymmetryShare(f64),
     /// Starts the measuring tape at the selection.

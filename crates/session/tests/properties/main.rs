@@ -8,6 +8,7 @@ mod intents;
 mod invariants;
 mod live_preview;
 mod messages;
+mod panels;
 mod photo_lens;
 mod random;
 mod refusals;

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use rosto_face::{PhotoLens, Region};
-use rosto_session::{Catalogue, Choice, Intent, MAX_LISTED, Motion, Pace, Selection, Session, Turntable};
+use rosto_session::{Catalogue, Choice, Intent, Motion, Pace, Selection, Session, Turntable};
 use rosto_stage::{Axis, Background, Light, NamedView, Pointer, Srgb, Theme};
 use rosto_studio::{ConstraintKind, Expression, FaceSlider, Mirror, Switch};
 use serde_json::{Value, json};
@@ -139,8 +139,8 @@ fn an_offset_includes_earlier_entries() {
     assert_eq!((session.tick().offset_mm, session.state().offset_mm), (Some([0.0, 1.0, 5.0]), [0.0, 1.0, 5.0]));
     session.apply(Intent::Commit).unwrap();
     let state = session.state();
-    let amounts: Vec<f64> = state.entries.iter().map(|entry| entry.amount).collect();
-    assert_eq!((state.tick.offset_mm, state.offset_mm, amounts[1]), (None, [0.0, 1.0, 5.0], 3.0));
+    let amount = session.face().unwrap().rows()[1].amount;
+    assert_eq!((state.tick.offset_mm, state.offset_mm, amount), (None, [0.0, 1.0, 5.0], 3.0));
 }
 
 #[test]
@@ -164,27 +164,16 @@ fn a_tick_carries_only_what_moves() {
 }
 
 #[test]
-fn the_state_lists_the_latest_entries() {
-    let mut session = selected();
-    let count = MAX_LISTED + 2;
-    (1..=count).for_each(|mm| edit(&mut session, Intent::Slide(FaceSlider::NoseWidth, 0.1 * (mm % 2) as f64)));
-    let state = session.state();
-    let indices: Vec<usize> = state.entries.iter().map(|entry| entry.index).collect();
-    assert_eq!((state.entry_count, indices), (count, (2..count).collect()));
-    assert!(state.entries.iter().all(|entry| entry.target.kind == "slider" && entry.target.id == "nose-width"));
-}
-
-#[test]
 fn the_answer_names_the_vertex_under_the_pointer() {
     let mut session = selected();
     let nose_m = session.face().unwrap().document().positions()[NOSE_TIP as usize];
     let nose_px = session.stage().camera().project(nose_m).unwrap();
     let hovered = session.answer(Intent::Hover(Some(nose_px))).unwrap();
     assert_eq!((hovered.hovered, hovered.has_grabbed), (Some(NOSE_TIP), false));
-    assert_eq!(hovered.hovered_target.unwrap().id, "nose-tip");
+    assert_eq!(hovered.hovered_name.unwrap().key, "landmark.nose-tip");
     assert!(session.answer(Intent::Press(nose_px, Pointer::Fine)).unwrap().has_grabbed);
     assert!(!session.answer(Intent::Release).unwrap().has_grabbed);
-    assert_eq!(session.answer(Intent::Hover(None)).unwrap().hovered_target, None);
+    assert_eq!(session.answer(Intent::Hover(None)).unwrap().hovered_name, None);
 }
 
 #[test]

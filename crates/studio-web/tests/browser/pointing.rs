@@ -49,23 +49,23 @@ async fn a_region_can_be_dragged_by_each_landmark() {
     let to = place(&studio, NOSE_TIP);
     assert!((to[0] - from[0] - 12.0).abs() < 1e-6 && (to[1] - from[1] + 10.0).abs() < 1e-6, "{to:?}");
     apply(&mut studio, json!("release"));
-    assert_eq!(state(&studio)["entries"][0]["target"]["id"], "nose");
+    assert_eq!(state(&studio)["name"]["key"], "region.nose");
     grab(&mut studio, CHIN, [0.0; 2]);
     let now = state(&studio);
-    assert_eq!((&now["selected"], &now["target"]["kind"]), (&json!(CHIN), &json!("landmark")));
+    assert_eq!((&now["selected"], &now["name"]["key"]), (&json!(CHIN), &json!("landmark.bottom-of-the-chin")));
     apply(&mut studio, json!("release"));
     apply(&mut studio, json!({ "selection": "region" }));
-    assert_eq!(state(&studio)["target"], json!({ "kind": "region", "id": "chin" }));
+    assert_eq!(state(&studio)["name"]["key"], "region.chin");
     grab(&mut studio, NOSE_TIP, [0.0; 2]);
     apply(&mut studio, json!("release"));
-    assert_eq!(state(&studio)["target"]["id"], "nose-tip");
+    assert_eq!(state(&studio)["name"]["key"], "region.nose-tip");
     assert_eq!(state(&studio)["entryCount"], 1);
     for (vertex, id) in [(NOSE_TIP, "nose-tip"), (152, "chin")] {
         let pointed = apply(&mut studio, json!({ "point-at": vertex }));
-        assert_eq!(pointed["hoveredTarget"], json!({ "kind": "region", "id": id }));
+        assert_eq!(pointed["hoveredName"]["key"], format!("region.{id}"));
     }
     apply(&mut studio, json!({ "select-at": NOSE_TIP }));
-    assert_eq!(state(&studio)["target"]["id"], "nose");
+    assert_eq!(state(&studio)["name"]["key"], "region.nose");
 }
 
 #[wasm_bindgen_test]

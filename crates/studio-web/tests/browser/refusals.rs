@@ -15,7 +15,7 @@ async fn refusals_have_codes_and_keep_the_face() {
     apply(&mut studio, json!({ "anchors": "pins" }));
     select(&mut studio, NOSE_TIP);
     let mesh = shown_mesh(&mut studio);
-    assert_eq!(state(&studio)["refusal"], "unanchored");
+    assert_eq!(state(&studio)["isRefused"], true);
     apply(&mut studio, json!({ "offset": [1, 0, 0] }));
     assert_eq!(shown_mesh(&mut studio), mesh);
     for pin in [7, 152] {
@@ -24,7 +24,7 @@ async fn refusals_have_codes_and_keep_the_face() {
     }
     select(&mut studio, NOSE_TIP);
     let pinned = state(&studio);
-    assert_eq!((pinned.get("refusal"), &pinned["anchors"]), (None, &json!([7, 152])));
+    assert_eq!((&pinned["isRefused"], &pinned["anchors"]), (&json!(false), &json!([7, 152])));
     apply(&mut studio, json!({ "offset": [0, 1, 0] }));
     assert_ne!(shown_mesh(&mut studio), mesh);
     apply(&mut studio, json!("cancel"));

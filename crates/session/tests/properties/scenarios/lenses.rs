@@ -3,7 +3,7 @@ use rosto_face::{Observation, crowded_landmarks};
 use rosto_session::{Changed, Intent, Pace, Selection, Session};
 use rosto_stage::{Axis, Lens, NamedView, Pointer};
 
-use super::{act, displacement_mm, face, position_px, positions, select, state};
+use super::{act, displacement_mm, face, position_px, positions, select};
 use crate::faces::{detected, found, open, session};
 use crate::invariants::seen;
 
@@ -106,7 +106,7 @@ fn a_lens_changes_only_the_view() {
     let mut session = session();
     for lens in Lens::ALL.into_iter().rev() {
         let edits =
-            |session: &_| (face(session).document().history().clone(), positions(session), state(session).entries);
+            |session: &_| (face(session).document().history().clone(), positions(session), face(session).rows().to_vec());
         let before = edits(&session);
         assert_eq!(act(&mut session, Intent::Lens(lens)), Changed::View);
         assert!(edits(&session) == before, "a lens is not an entry");

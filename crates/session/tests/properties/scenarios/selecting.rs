@@ -227,7 +227,7 @@ fn point_edits_are_mirrored_and_wait_on_coarser_meshes() {
     let target = EditTarget::Point { level: 1, vertex: 1_500 };
     let label = face(&session).document().history().entries()[0].label.clone();
     assert_eq!(label, "point-1500@1");
-    assert_eq!((face(&session).rows()[0].target, now.target.unwrap().id.as_str()), (target, "point-1500@1"));
+    assert_eq!((face(&session).rows()[0].target, now.name.unwrap().key.as_ref()), (target, "target.near"));
     assert!(face(&session).document().part_of(target).is_some());
     assert_eq!(face(&session).rows()[0].status, EntryStatus::InForce);
     act(&mut session, Intent::Density(0));

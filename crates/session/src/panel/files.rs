@@ -1,0 +1,249 @@
+use rosto::FileOptions;
+use rosto_export::{ExportOption, Solid};
+use serde::Deserialize;
+use tsify::Tsify;
+
+use crate::error::SessionError;
+use crate::{Changed, OpenFace, Session};
+
+/// Stem of file names without a photo's name.
+const DEFAULT_STEM: &str = "face";
+
+/// Files that panels offer: their options, and what the page reports about them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Files {
+    pub options: FileOptions,
+    /// Wall and back of a printed body, in mm; the other one is kept.
+    pub thickness_mm: f64,
+    pub back_mm: f64,
+    /// Whether pictures have a transparent background.
+    pub is_transparent: bool,
+    pub abilities: Abilities,
+    pub stem: String,
+    pub file: File,
+    pub body: Body,
+    pub photo: PhotoFile,
+    /// Side of the whole-face texture.
+    pub texture_side_px: Option<u32>,
+}
+
+/// The GLB that was made last. A change of the face or the options removes it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) enum File {
+    #[default]
+    None,
+    Making { is_validated: bool },
+    Made { bytes: f64, verdict: Option<Outcome> },
+}
+
+/// The printed body.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Body {
+    /// Whether it has changed since.
+    pub is_stale: bool,
+    pub facts: Option<BodyFacts>,
+    pub error: Option<BodyError>,
+}
+
+/// The edited photo as a file.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct PhotoFile {
+    pub is_writing: bool,
+    pub saved_px: Option<[u32; 2]>,
+}
+
+/// What this browser can do with files.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct Abilities {
+    /// Whether it can share models.
+    pub shares_models: bool,
+    /// Whether it can share pictures.
+    pub shares_pictures: bool,
+    /// Whether it can copy pictures.
+    pub copies_pictures: bool,
+}
+
+/// Result of a validation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Tsify)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// Numbers of errors, warnings and notes.
+    Validated {
+        /// Errors.
+        errors: u32,
+        /// Warnings.
+        warnings: u32,
+        /// Notes.
+        remarks: u32,
+    },
+    /// The validator did not answer.
+    Unchecked,
+}
+
+/// Measures of a printed body, as the worker reports them.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct BodyFacts {
+    /// Enclosed volume, in cm³.
+    pub volume_cm3: f64,
+    /// Sides of the bounding box, in mm.
+    pub size_mm: [f64; 3],
+    /// Smallest wall thickness, in mm.
+    pub thinnest_mm: f64,
+    /// Distance by which sharp folds were rounded, in mm.
+    pub moved_mm: f64,
+    /// Mass in g if printed solid in PLA.
+    pub pla_grams: f64,
+}
+
+/// Why a body cannot be made.
+#[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct BodyError {
+    /// Code of the error.
+    pub code: String,
+    /// Thickest possible wall in mm, for `too-thick`.
+    #[serde(default)]
+    pub max_mm: Option<f64>,
+}
+
+/// What the page reports about its files.
+#[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
+#[serde(rename_all = "kebab-case", rename_all_fields = "camelCase")]
+pub enum Report {
+    /// What the browser can do.
+    Abilities(Abilities),
+    /// Stem of the names of the face's files.
+    Stem(String),
+    /// A GLB is being made.
+    Making {
+        /// Whether the validator will check it.
+        is_validated: bool,
+    },
+    /// A GLB has been made.
+    Made {
+        /// Its size.
+        bytes: f64,
+        /// Result of the validation, if there was one.
+        verdict: Option<Outcome>,
+    },
+    /// Making a GLB has failed.
+    NotMade,
+    /// Measures of the printed body; none of a surface.
+    Body(Option<BodyFacts>),
+    /// The printed body cannot be made.
+    NoBody(BodyError),
+    /// Whether the edited photo is being written.
+    WritingPhoto(bool),
+    /// Size of the photo in a saved file in px; none if the photo's own file is open.
+    SavedPhoto(Option<[u32; 2]>),
+}
+
+impl Default for Files {
+    fn default() -> Self {
+        let (thickness_mm, back_mm) = (2.0, 3.0);
+        Self {
+            options: FileOptions { solid: Solid::Thickness { mm: thickness_mm }, ..FileOptions::default() },
+            thickness_mm,
+            back_mm,
+            is_transparent: true,
+            abilities: Abilities::default(),
+            stem: DEFAULT_STEM.to_owned(),
+            file: File::default(),
+            body: Body::default(),
+            photo: PhotoFile::default(),
+            texture_side_px: None,
+        }
+    }
+}
+
+impl Files {
+    fn take(&mut self, report: Report) {
+        match report {
+            Report::Abilities(abilities) => self.abilities = abilities,
+            Report::Stem(stem) => self.stem = stem,
+            Report::Making { is_validated } => self.file = File::Making { is_validated },
+            // Else the face has changed since.
+            Report::Made { bytes, verdict } if matches!(self.file, File::Making { .. }) => {
+                self.file = File::Made { bytes, verdict };
+            }
+            Report::Made { .. } => {}
+            Report::NotMade => self.file = File::None,
+            Report::Body(facts) => self.body = Body { facts, ..Body::default() },
+            Report::NoBody(error) => self.body = Body { error: Some(error), ..Body::default() },
+            Report::WritingPhoto(is_writing) => self.photo.is_writing = is_writing,
+            Report::SavedPhoto(saved_px) => self.photo.saved_px = saved_px,
+        }
+    }
+
+    /// Marks the files as those of another face.
+    pub fn outdate(&mut self) {
+        self.file = File::None;
+        self.body.is_stale = true;
+    }
+}
+
+impl Session {
+    /// Options of exported files, by their ids.
+    pub fn file_options(&self) -> Vec<(&'static str, String)> {
+        let FileOptions { base_colour, material, edits, expressions, eyes, units, solid, .. } = self.files.options;
+        vec![
+            (ExportOption::BaseColour.id(), base_colour.id().to_owned()),
+            (ExportOption::TextureSize.id(), self.view().texture_size.id().to_owned()),
+            (ExportOption::Material.id(), material.id().to_owned()),
+            (ExportOption::Edits.id(), edits.id().to_owned()),
+            (ExportOption::Expressions.id(), expressions.id().to_owned()),
+            (ExportOption::Eyes.id(), eyes.id().to_owned()),
+            (ExportOption::Units.id(), units.id().to_owned()),
+            (ExportOption::Solid.id(), solid.to_string()),
+        ]
+    }
+
+    /// Name of an exported mesh; with the number of its points unless it has the default density.
+    pub fn file_name(&self, extension: &str) -> String {
+        let stem = &self.files.stem;
+        let points = self.face().map(|face| face.document().topology().vertex_count());
+        match points.filter(|_| self.density() != rosto_studio::SMOOTH_DENSITY) {
+            Some(points) => format!("{stem}-{points}.{extension}"),
+            None => format!("{stem}.{extension}"),
+        }
+    }
+
+    /// Sets the side of the whole-face texture, which depends on the pictures.
+    pub fn set_texture_side_px(&mut self, side_px: Option<u32>) {
+        self.files.texture_side_px = side_px;
+    }
+
+    /// Whether pictures have a transparent background.
+    pub fn is_transparent(&self) -> bool {
+        self.files.is_transparent
+    }
+
+    pub(crate) fn set_file_option(&mut self, option: ExportOption, value: &str) -> Result<Changed, SessionError> {
+        let unknown = |_| SessionError::NoSuchWidget { id: option.id().to_owned() };
+        self.files.options.set(option, value).map_err(unknown)?;
+        match self.files.options.solid {
+            Solid::Thickness { mm } => self.files.thickness_mm = mm,
+            Solid::FlatBack { mm } => self.files.back_mm = mm,
+            Solid::Surface => {}
+        }
+        Ok(Changed::Document)
+    }
+
+    pub(crate) fn set_transparent(&mut self, is_transparent: bool) -> Changed {
+        self.files.is_transparent = is_transparent;
+        Changed::View
+    }
+
+    /// Panels show a report; nothing else changes.
+    pub(crate) fn take_report(&mut self, report: Report) -> Changed {
+        self.files.take(report);
+        Changed::View
+    }
+
+    /// Numbers of points and triangles of the mesh in a GLB.
+    pub(super) fn counts_in_file(&self, face: &OpenFace) -> [usize; 2] {
+        face.mesh_counts(self.files.options.has_pieces(rosto_export::Format::Glb))
+    }
+}

@@ -1,0 +1,137 @@
+import { onAction } from "../js/page/dom.js";
+import { download } from "../js/page/download.js";
+import { showError } from "../js/page/notice.js";
+import { toast } from "../js/page/toast.js";
+import type { Validator } from "../js/page/validator.js";
+import type { Opening } from "../js/opening.js";
+import { setUpArLink } from "../js/share/ar-link.js";
+import { beforeAndAfter } from "../js/share/before-and-after.js";
+import { ClipPanel } from "../js/share/clip-panel.js";
+import { canSend, send } from "../js/share/send.js";
+import { sideBySide } from "../js/share/side-by-side.js";
+import { canCopyPictures, copyPicture, viewPicture } from "../js/share/view-picture.js";
+import type { Host } from "../js/viewport/host.js";
+import { t } from "../js/words/words.js";
+import { leadPhotoOf } from "../js/work/face.js";
+import type { FaceFiles } from "../js/work/face-files.js";
+import { fileName } from "../js/work/file-name.js";
+import type { Report } from "../wasm/rosto-studio-web.js";
+import { setUpPrint } from "./print.ts";
+
+const PNG = "image/png";
+
+interface Context {
+  host: Host;
+  opening: Opening;
+  validator: Validator;
+  files: FaceFiles;
+  /** Size in px of the lead photo's picture. */
+  pictureSize: () => { width: number; height: number };
+}
+
+/** Performs the actions of the export panel: files, pictures and sharing. */
+export function setUpExport(context: Context) {
+  const { host, opening, files } = context;
+  const fail = (error: unknown) => host.fail(error);
+  const makeMesh = async (format: string) => {
+    // The face and its density may change meanwhile.
+    const [options, name] = host.answer((studio) => [studio.fileOptions(), studio.fileName("")]);
+    const { bytes, extension, mediaType } = await files.mesh(format, options);
+    return new File([bytes], name + extension, { type: mediaType });
+  };
+  const print = setUpPrint(host, files);
+  offerGlb(context, makeMesh);
+  for (const { id, isPrinted } of host.catalogue.formats) {
+    if (id !== "glb") onAction(`download-${id}`, () => makeMesh(id).then(save).catch(isPrinted ? print.refuse : fail));
+  }
+  onAction("save-project", async () => {
+    const name = fileName(opening.face, "rosto");
+    await files.project().then((bytes) => save(new File([bytes], name, { type: "application/octet-stream" })), fail);
+  });
+  setUpArLink(() => makeMesh("usdz"), fail);
+  offerPhoto(context);
+  offerPictures(context);
+  new ClipPanel(host, opening);
+}
+
+/** Validating, downloading and sharing the GLB. */
+function offerGlb({ host, validator }: Context, makeMesh: (format: string) => Promise<File>) {
+  const report = (about: Report) => host.applyShown({ report: about });
+  const make = async (isValidated: boolean) => {
+    report({ making: { isValidated } });
+    try {
+      const file = await makeMesh("glb");
+      const validated = isValidated ? await validator.check(new Uint8Array(await file.arrayBuffer())) : undefined;
+      const verdict = validated ? { validated } : "unchecked";
+      report({ made: { bytes: file.size, verdict: isValidated ? verdict : undefined } });
+      return file;
+    } catch (error) {
+      report("not-made");
+      host.fail(error);
+      return undefined;
+    }
+  };
+  onAction("check-glb", () => make(true));
+  onAction("download-glb", () => make(true).then((file) => file && save(file)));
+  onAction("share-glb", () => make(false).then((file) => file && share(file)).catch((error) => host.fail(error)));
+}
+
+/** The edited photo, at full size if its own file was opened. */
+function offerPhoto({ host, opening, files, pictureSize }: Context) {
+  const report = (about: Report) => host.applyShown({ report: about });
+  let isWriting = false;
+  const write = async (type: "png" | "jpeg", extension: string) => {
+    const { face } = opening;
+    if (!face || isWriting) return;
+    isWriting = true;
+    report({ "writing-photo": true });
+    try {
+      const name = fileName(face, extension, "edited");
+      download(await files.editedPhoto(`image/${type}`), name, `image/${type}`);
+      toast(t("export.saved", { name }));
+    } catch (error) {
+      showError(error);
+    } finally {
+      isWriting = false;
+      report({ "writing-photo": false });
+    }
+  };
+  onAction("download-photo-png", () => write("png", "png"));
+  onAction("download-photo-jpeg", () => write("jpeg", "jpg"));
+  host.onChange(() => {
+    const { face } = opening;
+    if (!face) return;
+    const { width, height } = pictureSize();
+    report({ stem: face.name });
+    report({ "saved-photo": leadPhotoOf(face).source.kind === "saved" ? [width, height] : undefined });
+  });
+}
+
+/** Pictures of the view. */
+function offerPictures({ host, opening }: Context) {
+  const fail = (error: unknown) => host.fail(error);
+  const isTransparent = () => host.ask((studio) => studio.isTransparent) ?? false;
+  host.applyShown({ report: { abilities: { sharesModels: canSend("model/gltf-binary", "face.glb"), sharesPictures: canSend(PNG), copiesPictures: canCopyPictures() } } });
+  const view = async () => {
+    const name = fileName(opening.face, "png");
+    return new File([await viewPicture(host, isTransparent())], name, { type: PNG });
+  };
+  const pair = async () => {
+    const name = fileName(opening.face, "png", "before-after");
+    const { before, after } = await beforeAndAfter(host, isTransparent());
+    return new File([await sideBySide(before, after, { before: t("before"), after: t("after") })], name, { type: PNG });
+  };
+  onAction("download-picture", () => view().then(save, fail));
+  onAction("copy-picture", () => copyPicture(view()).then(() => toast(t("export.copied")), fail));
+  onAction("download-pair", () => pair().then(save, fail));
+  onAction("share-pair", () => pair().then(share).catch(fail));
+}
+
+async function share(file: File) {
+  if (!(await send(file))) save(file);
+}
+
+function save(file: File) {
+  download(file, file.name, file.type);
+  toast(t("export.done", { file: file.name }));
+}

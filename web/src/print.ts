@@ -1,0 +1,37 @@
+import { byId } from "../js/page/dom.js";
+import { asPageError } from "../js/page/page-error.js";
+import type { Host } from "../js/viewport/host.js";
+import { isWord } from "../js/words/words.js";
+import type { FaceFiles } from "../js/work/face-files.js";
+
+/** Debounce delay: computing a body takes time. */
+const DEBOUNCE_MS = 250;
+
+/** Measures the printed body while its panel is visible; the worker computes it. */
+export function setUpPrint(host: Host, files: FaceFiles) {
+  let timer = 0;
+  let latest = 0;
+  let isStale = true;
+  const fold = () => byId("print", HTMLDetailsElement);
+  const refuse = (error: unknown) => {
+    const { code, maxMm } = asPageError(error);
+    host.applyShown({ report: { "no-body": { code: isWord(`error.${code}`) ? code : "other", maxMm } } });
+  };
+  const measure = async () => {
+    isStale = false;
+    const number = ++latest;
+    const result = await files.solidFacts(host.answer((studio) => studio.fileOptions())).then((body) => ({ body }), (error) => ({ error }));
+    if (number !== latest || isStale) return;
+    if ("error" in result) refuse(result.error);
+    else host.applyShown({ report: { body: result.body } });
+  };
+  const measureSoon = () => {
+    clearTimeout(timer);
+    isStale = true;
+    if (fold().open && fold().checkVisibility()) timer = setTimeout(measure, DEBOUNCE_MS);
+  };
+  host.onChange(measureSoon);
+  // Measures only while visible, so starts when the fold or its tab opens.
+  new ResizeObserver(() => isStale && measureSoon()).observe(fold());
+  return { refuse };
+}
