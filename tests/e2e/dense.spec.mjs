@@ -122,7 +122,7 @@ test("on a dense mesh the error for an unknown point does not mention the range 
   for (const language of ["en", "pt"]) {
     await page.selectOption("#language", language);
     await editor.findLandmark("999999");
-    assert.match(await page.innerText("#landmark-help"), /999999/);
+    assert.match(await page.innerText("#landmark-search-error"), /999999/);
     assert.doesNotMatch(await page.innerText("#section-landmark"), /\b467\b/);
     assert.ok(await page.isHidden("#notice"));
   }

@@ -33,7 +33,7 @@ test("each display mode changes the view; numeric ones show a legend", { tag: "@
 test("lines, points, density and openings change the view and can be reverted", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   const first = await editor.view();
-  for (const box of ["wireframe", "dots"]) {
+  for (const box of ["view-wireframe", "view-dots"]) {
     await page.check(`#${box}`);
     assert.ok(difference(first, await editor.view()) > 0.01, `${box} changed nothing`);
     await page.uncheck(`#${box}`);
@@ -150,7 +150,7 @@ test("the background can have any colour, in the view and the saved picture, whe
   const cutOut = PNG.sync.read(await editor.download("download-picture"));
   assert.deepEqual(corner(cutOut), [0, 0, 0, 0]);
   assert.equal(middle(cutOut)[3], 255, "the face itself is transparent");
-  await page.uncheck("#picture-transparent");
+  await page.uncheck("#export-transparent");
   const whole = PNG.sync.read(await editor.download("download-picture"));
   assert.deepEqual(corner(whole), [0x0c, 0xb4, 0xfa, 255]);
   assert.deepEqual(middle(whole), middle(cutOut));

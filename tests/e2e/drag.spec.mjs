@@ -36,7 +36,7 @@ test("the nose can move sideways without mirroring, up to the slider's limit", a
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, at its limit");
   assert.match(await page.innerText("#announcement"), /at its limit/);
   await page.mouse.up();
-  const slider = page.locator("#landmark-offset [data-axis='y'] .number-field");
+  const slider = page.locator("#landmark-offset [data-axis='y'] input[type=range]");
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
   assert.ok(Math.abs(displacement(start, await editor.meshJson("mm"), NOSE_TIP)[1] - Number(await slider.inputValue())) < 1e-9);
   await page.click("#toolbar [data-action='undo']");

@@ -22,7 +22,7 @@ test("a GLB of each density passes the validator, and the page reports it before
     await page.selectOption("#export-density", String(density));
     assert.equal(await page.inputValue("#density"), String(density));
     await page.click("[data-action='check-glb']");
-    await page.waitForSelector("#verdict[data-verdict='valid']");
+    await page.waitForSelector("#verdict[data-tone='success']");
     const verdict = await page.innerText("#verdict");
     const { name, json, bytes } = await downloadGlb(editor);
     assert.equal(name, density === 2 ? "portrait.glb" : `portrait-${vertices}.glb`);
@@ -51,7 +51,7 @@ test("a textured OBJ includes its material and texture; 3MF and USDZ are single 
 test("the panel shows the GLB's name, content, size and verdict until the face changes", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.untilLoaded();
   await editor.unfold("section-export");
-  const facts = async () => (await page.innerText("#export-facts")).split(/\s*\n\s*/).filter(Boolean);
+  const facts = async () => (await page.innerText("#export-file")).concat("\n", await page.innerText("#export-holds")).split(/\s*\n\s*/).filter(Boolean);
   assert.deepEqual(await facts(), ["portrait.glb", "GLB: 7,257 points, 14,368 triangles, a texture of 1024 × 1024 px."]);
   await editor.move("nose tip", "z", 5);
   await editor.unfold("section-export");
@@ -64,7 +64,7 @@ test("the panel shows the GLB's name, content, size and verdict until the face c
   await page.check("#export-unlit");
   await page.check("#export-morphs");
   const { extensionsUsed, images, meshes } = (await downloadGlb(editor)).json;
-  assert.ok(await page.isVisible("#verdict[data-verdict='valid']"), "no verdict next to the download");
+  assert.ok(await page.isVisible("#verdict[data-tone='success']"), "no verdict next to the download");
   assert.deepEqual(extensionsUsed, ["KHR_materials_unlit"]);
   assert.ok("COLOR_0" in meshes[0].primitives[0].attributes && !images);
   assert.equal(meshes[0].primitives[0].targets.length, 1);
@@ -89,8 +89,9 @@ test("the print measurements match the command line, and the STL matches byte fo
   await visitor.reveal("#print-facts");
   for (const [solid, length] of [["thickness", "2"], ["flat", "3"], ["surface"]]) {
     await page.check(`input[name="solid"][value="${solid}"]`, { force: true });
-    assert.equal(await page.isVisible("#solid-mm"), length !== undefined);
-    if (length) assert.equal(await page.inputValue("#solid-mm"), length);
+    const shown = page.locator("#print .slider:visible");
+    assert.equal(await shown.count(), length ? 1 : 0);
+    if (length) assert.equal(await shown.locator(".number-field").inputValue(), length);
     const body = [solid, ...(length ? [length] : [])].join(":");
     const { files, log } = await filesByCommandLine(SAMPLE, "face.stl", [...PAGE_OPTIONS, "--solid", body]);
     const measures = await measured(page);
@@ -104,16 +105,19 @@ test("a body that cannot be printed is refused with an allowed length", { tag: "
   await editor.reveal("#print-facts");
   let downloads = 0;
   page.on("download", () => (downloads += 1));
-  const refusal = page.locator("#print-refused");
-  await page.fill("#solid-mm", "0.1");
-  await expect(refusal).toHaveText("Enter a value from 0.4 to 50 mm.");
-  await page.click("[data-action='download-stl']");
+  const refusal = page.locator("#print-error");
+  const thickness = page.locator("#solid-thickness-mm .number-field");
+  await thickness.fill("0.1");
+  await expect(thickness).toHaveAttribute("aria-invalid", "true");
+  await expect(thickness).toHaveAttribute("title", "From 0.4 to 50.");
+  await thickness.press("Tab");
+  await expect(thickness).toHaveValue("2");
   await page.evaluate(refuseWalls, { most_mm: 11.38 });
-  await page.fill("#solid-mm", "12");
+  await thickness.fill("12");
   await expect(refusal).toHaveText("A wall this thick would pass through itself. Use at most 11.3 mm, or a flat back.");
   await page.click("[data-action='download-3mf']");
   assert.equal(downloads, 0);
-  await page.fill("#solid-mm", "11.3");
+  await thickness.fill("11.3");
   await expect(refusal).toBeHidden();
   assert.ok((await measured(page)).length > 0);
   assert.ok((await editor.download("download-stl")).length > 84);
@@ -123,7 +127,7 @@ test("a body that cannot be printed is refused with an allowed length", { tag: "
   await expect(refusal).toHaveText("A surface can’t be saved as 3MF. Choose a mask or a flat back, or save it as STL.");
   await page.check("input[name='solid'][value='thickness']", { force: true });
   await expect(refusal).toBeHidden();
-  assert.equal(await page.inputValue("#solid-mm"), "11.3", "the thickness was forgotten");
+  assert.equal(await thickness.inputValue(), "11.3", "the thickness was forgotten");
   assert.ok(await page.isHidden("#notice"));
 });
 
@@ -170,7 +174,7 @@ test("without share, clipboard and AR support, their buttons are hidden", { tag:
 
 /** Printed measurements on the page: mm, cm³ and g, and the rounding of folds if there is any. */
 async function measured(page) {
-  await page.waitForSelector("#export-print:not([data-measuring])");
+  await page.waitForSelector("#print-facts:not([data-stale])", { state: "attached" });
   const texts = await page.locator("#print-facts dd").allInnerTexts();
   return texts.map((text) => text.replaceAll(",", ""));
 }
@@ -187,7 +191,7 @@ function measuresIn(log) {
 function refuseWalls({ most_mm }) {
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function (message, ...rest) {
-    const isThick = Number(/** @type {HTMLInputElement} */ (document.getElementById("solid-mm")).value) > most_mm;
+    const isThick = Number(/** @type {HTMLInputElement} */ (document.querySelector("#solid-thickness-mm .number-field")).value) > most_mm;
     if (!isThick || !["solid-facts", "write"].includes(message.type)) return post.call(this, message, ...rest);
     const error = { code: "too-thick", message: "too thick", hint: "", maxMm: most_mm };
     const reply = new MessageEvent("message", { data: { type: "failed", id: message.id, error } });

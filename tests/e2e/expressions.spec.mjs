@@ -45,7 +45,7 @@ test("an expression is visible, can be undone, survives a reload, and becomes a 
   await editor.unfold("section-export");
   await page.check("#export-expressions");
   const [{ extras, primitives, weights }] = partsOfGlb(await editor.download("download-glb")).json.meshes;
-  await page.waitForSelector("#verdict[data-verdict='valid']");
+  await page.waitForSelector("#verdict[data-tone='success']");
   assert.equal(extras.targetNames.length, primitives[0].targets.length);
   assert.equal(extras.targetNames.length, await page.locator("[id^='expression-']").count());
   assert.deepEqual(extras.targetNames.filter((_, place) => weights[place] !== 0), ["jawOpen"]);

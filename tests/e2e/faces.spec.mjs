@@ -212,7 +212,7 @@ async function goBack(visitor, name) {
 
 /** Waits until the face with this name is open, by the name of its files. */
 async function untilNamed(visitor, name) {
-  await expect(visitor.page.locator("#export-name")).toHaveText(new RegExp(`^${name}(-\\d{3,})?\\.glb$`));
+  await expect(visitor.page.locator("#export-file dt")).toHaveText(new RegExp(`^${name}(-\\d{3,})?\\.glb$`));
   await visitor.untilFace();
 }
 

@@ -75,8 +75,8 @@ test("keys move the camera while the view has the focus", { tag: ["@eyes", "@rar
 
 /** Tab stops of each tab of the panel. */
 const STOPS = {
-  shape: ["section-photo", "photo-change", "Nose width, in millimetres", "symmetrise", "selection", "landmark-search", "preset", "mirror", "reset-selection", "operator", "anchors-shown", "run-paper"],
-  view: ["shading", "wireframe", "density", "view-left"],
+  shape: ["section-photo", "photo-change", "Nose width, in millimetres", "symmetrise-apply", "selection", "landmark-search", "preset", "edit-mirror", "reset-one", "operator", "anchors-shown", "run-paper"],
+  view: ["shading", "view-wireframe", "density", "view-left"],
   export: ["base-colour", "export-density", "check-glb", "download-json", "save-project"],
 };
 const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];

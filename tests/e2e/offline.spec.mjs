@@ -38,7 +38,7 @@ for (const [[what, interceptor], tag] of [[["is unreachable"], []], ...variants(
     assert.ok(await page.isHidden("#not-started"));
     await visitor.unfold("section-export");
     await page.click("[data-action='check-glb']");
-    await page.waitForSelector("#verdict[data-verdict='valid']");
+    await page.waitForSelector("#verdict[data-tone='success']");
   });
 }
 

@@ -26,12 +26,6 @@ test("a region moves as one by its sliders, with its name, like on the command l
   await page.selectOption("#language", "pt");
   assert.deepEqual(await editor.history(), ["sobrancelha esquerda", "sobrancelha esquerda"]);
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
-
-  // The empty option is hidden, but scripts can choose it.
-  await editor.reveal("#region");
-  await page.selectOption("#region", "");
-  assert.ok(await page.isHidden("#landmark-tag"), "the region is still selected");
-  assert.ok(await page.isHidden("#notice"));
 });
 
 test("a region's landmarks are marked, and it can be dragged by each of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {

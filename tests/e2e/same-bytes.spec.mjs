@@ -61,11 +61,11 @@ async function setOption({ page }, what, value) {
   const lists = { size: "#texture-size", density: "#export-density" };
   const checks = { unlit: "#export-unlit", morphs: "#export-morphs", expressions: "#export-expressions", eyes: "#export-eyes" };
   // Opens the fold that contains the print options.
-  await page.evaluate(() => (/** @type {HTMLDetailsElement} */ (document.getElementById("export-print")).open = true));
+  await page.evaluate(() => (/** @type {HTMLDetailsElement} */ (document.getElementById("print")).open = true));
   await page.click("#tab-export");
   if (what in radios) await page.check(`input[name="${radios[what]}"][value="${value}"]`, { force: true });
   else if (what in lists) await page.selectOption(lists[what], String(value));
   else if (what in checks) await page.setChecked(checks[what], value === true);
-  else await page.fill("#solid-mm", String(value));
+  else await page.fill("#print .slider:not([hidden]) .number-field", String(value));
   await page.waitForSelector("body:not([data-texture])");
 }

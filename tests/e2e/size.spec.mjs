@@ -44,8 +44,8 @@ test("the panel shows the estimated distance, which can be changed and is saved 
 test("the tape measures the distance of two points with its error", async ({ editor, page }) => {
   await editor.findLandmark("right mouth corner");
   await editor.unfold("section-size");
-  await page.click("[data-action=tape-start]");
-  assert.match(await page.innerText("#tape-result"), /From right mouth corner: now select another point/);
+  await page.click("[data-action='tape.start']");
+  assert.match(await page.innerText("#tape-result"), /From right mouth corner · 61: now select another point/);
   await editor.findLandmark("left mouth corner");
   await editor.unfold("section-size");
   const result = await page.innerText("#tape-result");
@@ -62,7 +62,7 @@ test("a tape is cleared if a coarser mesh lacks its start", { tag: "@rare" }, as
   await page.check("input[name='selection'][value='point']", { force: true });
   await editor.findLandmark("1200");
   await editor.unfold("section-size");
-  await page.click("[data-action=tape-start]");
+  await page.click("[data-action='tape.start']");
   assert.match(await page.innerText("#tape-result"), /From 1200/);
   await editor.unfold("section-view");
   await page.selectOption("#density", "0");

@@ -36,11 +36,11 @@ export function setUpLandmarkSearch(host: Host) {
   };
   // Typing replaces the current name.
   field.addEventListener("focus", () => field.select());
-  field.addEventListener("change", search);
+  field.addEventListener("change", () => field.value.trim() !== failed && search());
   field.addEventListener("input", () => showError(undefined));
   field.addEventListener("keydown", ({ key }) => {
-    // Repeating a failed query fires no change event.
-    if (key === "Enter" && field.value.trim() === failed) search();
+    // Repeating a query fires no change event.
+    if (key === "Enter") search();
   });
   host.onChange((state) => {
     // The error stays until the query or the selection changes.

@@ -14,6 +14,10 @@ export function setUpPrint(host: Host, files: FaceFiles) {
   let isStale = true;
   const fold = () => byId("print", HTMLDetailsElement);
   const refuse = (error: unknown) => {
+    // A pending result would hide the reason.
+    clearTimeout(timer);
+    latest += 1;
+    isStale = false;
     const { code, maxMm } = asPageError(error);
     host.applyShown({ report: { "no-body": { code: isWord(`error.${code}`) ? code : "other", maxMm } } });
   };

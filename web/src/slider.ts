@@ -46,11 +46,12 @@ export class SliderView {
     const label = labelOf(widget);
     this.#label.replaceChildren(...(axis ? [make("span", "axis", axis)] : []), label);
     for (const input of [this.#range, this.#number]) [input.ariaLabel, input.disabled] = [longLabel(widget, label), !widget.isEnabled];
+    // Another change, such as a new face, ends the typing.
+    const typed = this.#typed() ?? this.#value;
+    this.#isTyping &&= this.#rounded(typed) === this.#rounded(value);
     this.#value = value;
     this.#range.value = String(this.#rounded(value));
-    // A field that another face has taken the focus from is no longer typed in.
-    this.#isTyping &&= this.#number.matches(":focus");
-    if (!this.#isTyping) this.#number.value = this.#written(value);
+    if (!this.#isTyping) this.#endTyping();
   }
 
   #listenToRange() {
@@ -65,17 +66,17 @@ export class SliderView {
     this.#number.addEventListener("input", () => {
       this.#isTyping = true;
       const value = this.#typed();
-      this.#number.ariaInvalid = value === undefined ? "true" : null;
+      this.#mark(value === undefined);
       if (value !== undefined) this.#set(value);
     });
     // An unfinished number gives way to the last one.
     this.#number.addEventListener("change", () => {
       const value = this.#typed();
-      this.#isTyping = false;
-      this.#number.ariaInvalid = null;
+      this.#endTyping();
       this.#finish(value ?? this.#value);
-      this.#number.value = this.#written(this.#value);
     });
+    // A new face takes the focus without a change event.
+    this.#number.addEventListener("blur", () => this.#endTyping());
     this.#number.addEventListener("keydown", (event) => {
       const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
       if (!steps) return;
@@ -120,8 +121,22 @@ export class SliderView {
 
   #cancel() {
     clearTimeout(this.#pending);
-    [this.#pending, this.#isTyping, this.#number.ariaInvalid] = [0, false, null];
+    this.#pending = 0;
+    this.#endTyping();
     this.#send("cancel");
+  }
+
+  /** Shows the value in place of the text. */
+  #endTyping() {
+    this.#isTyping = false;
+    this.#mark(false);
+    this.#number.value = this.#written(this.#value);
+  }
+
+  /** Marks a text that is no number in range, and names the range. */
+  #mark(isInvalid: boolean) {
+    const { min, max } = this.#limits;
+    [this.#number.ariaInvalid, this.#number.title] = isInvalid ? ["true", t("number.range", { min, max })] : [null, ""];
   }
 
   #rounded(value: number) {

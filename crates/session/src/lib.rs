@@ -43,11 +43,12 @@ pub use error::SessionError;
 pub use formats::{FormatFacts, formats};
 pub use gesture::Hovered;
 pub use live_preview::LivePreview;
-pub use message::{
-    Applied, Catalogue, LightSettings, PhotoState, SliderRange, State, Tick,
-};
-pub use panel::{Abilities, BodyError, BodyFacts, ChoiceLook, Control, GroupLook, Level, MAX_LISTED, Outcome, PanelDiff, Part, Phrase, Report, Tone, Value, Widget};
+pub use message::{Applied, Catalogue, LightSettings, PhotoState, SliderRange, State, Tick};
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
+pub use panel::{
+    Abilities, BodyError, BodyFacts, ChoiceLook, Control, GroupLook, Level, MAX_LISTED, Outcome, PanelDiff, Part,
+    Phrase, Report, Tone, Value, Widget,
+};
 pub use range::Range;
 pub use rows::Row;
 pub use saved::{MAX_ENTRIES, MAX_SHOWN_DENSITY};

@@ -26,9 +26,9 @@ use tsify::Tsify;
 
 use crate::{Changed, Intent, Session, SessionError};
 pub(crate) use expressions::shown;
-pub use files::{Abilities, BodyError, BodyFacts, Outcome, Report};
-pub(crate) use files::Files;
 pub(crate) use face::{range_mm, slid};
+pub(crate) use files::Files;
+pub use files::{Abilities, BodyError, BodyFacts, Outcome, Report};
 pub use history::MAX_LISTED;
 pub use phrase::{Part, Phrase};
 pub(crate) use selection::moved;

@@ -51,11 +51,6 @@ impl FacadeError {
         Self::new("bad-face", "no picture is open for this face", "Open the photo again.")
     }
 
-    /// Converts `None`, the result of an unknown id, to an error.
-    pub fn require<T>(value: Option<T>) -> Result<T> {
-        value.ok_or_else(Self::bad_choice)
-    }
-
     /// The error of a face's texts that cannot be read.
     pub fn of_saved(error: ReopenError) -> Self {
         match error {

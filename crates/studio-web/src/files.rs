@@ -14,8 +14,7 @@ impl Studio {
     #[wasm_bindgen(js_name = fileOptions, unchecked_return_type = "Record<string, string>")]
     pub fn file_options(&self) -> js_sys::Object {
         let entries = self.session.file_options().into_iter();
-        let entries: js_sys::Array =
-            entries.map(|(id, value)| js_sys::Array::of2(&id.into(), &value.into())).collect();
+        let entries: js_sys::Array = entries.map(|(id, value)| js_sys::Array::of2(&id.into(), &value.into())).collect();
         js_sys::Object::from_entries(&entries).unwrap_or_default()
     }
 

@@ -20,16 +20,22 @@ pub(super) fn section(session: &Session) -> Widget {
         session.setting("export.density", Choice::Density, ChoiceLook::List).labelled("density".into()).expert(),
         switch(session, "export.unlit", ExportOption::Material, [Material::Lit.id(), Material::Unlit.id()]),
         switch(session, "export.morphs", ExportOption::Edits, [EditsAs::Shape.id(), EditsAs::MorphTargets.id()]),
-        switch(session, "export.expressions", ExportOption::Expressions, [
-            ExpressionsAs::Shape.id(),
-            ExpressionsAs::MorphTargets.id(),
-        ]),
+        switch(
+            session,
+            "export.expressions",
+            ExportOption::Expressions,
+            [ExpressionsAs::Shape.id(), ExpressionsAs::MorphTargets.id()],
+        ),
         switch(session, "export.eyes", ExportOption::Eyes, [Eyes::Skin.id(), Eyes::Pieces.id()]),
         facts(session),
-        group("export.glb", GroupLook::Row, vec![
-            page_button("check-glb", "export.check"),
-            page_button("share-glb", "export.share").hidden(!session.files.abilities.shares_models),
-        ]),
+        group(
+            "export.glb",
+            GroupLook::Row,
+            vec![
+                page_button("check-glb", "export.check"),
+                page_button("share-glb", "export.share").hidden(!session.files.abilities.shares_models),
+            ],
+        ),
         verdict(session),
         slot("export.ar"),
         help("export.scale"),
@@ -50,7 +56,9 @@ fn option(
     let chosen = Some(value(session, option).split(':').next().unwrap_or_default().to_owned());
     let options = ids.iter().map(|&id| id.to_owned()).collect();
     let look = ChoiceLook::Segments;
-    choice(id, Control::Choice { name, options, expert: &[], chosen, look }, move |id| Some(Intent::FileOption(option, id)))
+    choice(id, Control::Choice { name, options, expert: &[], chosen, look }, move |id| {
+        Some(Intent::FileOption(option, id))
+    })
 }
 
 /// A switch for an option with two values.
@@ -74,10 +82,14 @@ fn facts(session: &Session) -> Widget {
     let [points, triangles] = session.face().map(|face| session.counts_in_file(face)).unwrap_or_default();
     let holds = Phrase::word("export.holds").with("format", "GLB".to_owned()).with("points", points);
     let holds = holds.with("triangles", triangles).with("paint", paint(session));
-    group("export.facts", GroupLook::Stack, vec![
-        Widget::new("export.file", Control::Facts { rows: vec![(name, size)] }),
-        text("export.holds", Some(holds), Tone::Help),
-    ])
+    group(
+        "export.facts",
+        GroupLook::Stack,
+        vec![
+            Widget::new("export.file", Control::Facts { rows: vec![(name, size)] }),
+            text("export.holds", Some(holds), Tone::Help),
+        ],
+    )
 }
 
 fn size(bytes: f64) -> Phrase {
@@ -105,9 +117,12 @@ fn verdict(session: &Session) -> Widget {
     let name = session.file_name(Format::Glb.id());
     let (key, tone, bytes, counts) = match session.files.file {
         File::Making { is_validated: true } => ("verdict.checking", Tone::Status, None, None),
-        File::Made { bytes, verdict: Some(Outcome::Unchecked) } => ("verdict.unchecked", Tone::Status, Some(bytes), None),
+        File::Made { bytes, verdict: Some(Outcome::Unchecked) } => {
+            ("verdict.unchecked", Tone::Status, Some(bytes), None)
+        }
         File::Made { bytes, verdict: Some(Outcome::Validated { errors, warnings, remarks }) } => {
-            let (key, tone) = if errors == 0 { ("verdict.valid", Tone::Success) } else { ("verdict.invalid", Tone::Error) };
+            let (key, tone) =
+                if errors == 0 { ("verdict.valid", Tone::Success) } else { ("verdict.invalid", Tone::Error) };
             (key, tone, Some(bytes), Some([("errors", errors), ("warnings", warnings), ("remarks", remarks)]))
         }
         _ => return text("verdict", None, Tone::Status),
@@ -130,7 +145,8 @@ fn print(session: &Session) -> Widget {
     let rows = files.body.facts.iter().flat_map(|body| {
         let [x, y, z] = body.size_mm;
         let size = Phrase::word("amount.size").number("x", x, 0).number("y", y, 0).number("z", z, 0);
-        let rounded = (body.moved_mm >= VISIBLE_MM).then(|| (word("print", "rounded"), amount("amount.mm", body.moved_mm, 1)));
+        let rounded =
+            (body.moved_mm >= VISIBLE_MM).then(|| (word("print", "rounded"), amount("amount.mm", body.moved_mm, 1)));
         let rows = [
             (word("print", "size"), size),
             (word("print", "volume"), amount("amount.cm3", body.volume_cm3, 1)),
@@ -139,24 +155,36 @@ fn print(session: &Session) -> Widget {
         ];
         rows.into_iter().chain(rounded)
     });
-    let kinds = [("thickness", Solid::Thickness { mm: files.thickness_mm }), ("flat", Solid::FlatBack { mm: files.back_mm }), ("surface", Solid::Surface)];
+    let kinds = [
+        ("thickness", Solid::Thickness { mm: files.thickness_mm }),
+        ("flat", Solid::FlatBack { mm: files.back_mm }),
+        ("surface", Solid::Surface),
+    ];
     let chosen = kinds.iter().find(|(_, kind)| *kind == solid).map(|(id, _)| (*id).to_owned());
     let options = kinds.iter().map(|(id, _)| (*id).to_owned()).collect();
-    let kind = choice("solid", Control::Choice { name: "solid", options, expert: &[], chosen, look: ChoiceLook::Segments }, move |id| {
-        let kind = kinds.iter().find(|(kind, _)| *kind == id)?.1;
-        Some(Intent::FileOption(ExportOption::Solid, kind.to_string()))
-    });
-    group("print", GroupLook::Fold, vec![
-        kind,
-        slider("solid.thickness.mm", range(2.0), "mm", files.thickness_mm, set("thickness"))
-            .hidden(!matches!(solid, Solid::Thickness { .. })),
-        slider("solid.flat.mm", range(3.0), "mm", files.back_mm, set("flat"))
-            .hidden(!matches!(solid, Solid::FlatBack { .. })),
-        Widget::new("print.facts", Control::Facts { rows: rows.collect() }).enabled(!files.body.is_stale),
-        text("print.error", body_error(session), Tone::Error),
-        formats("print.formats", |format| format.supports(ExportOption::Solid)),
-        formats_help("print.help", |format| format.supports(ExportOption::Solid)),
-    ])
+    let kind = choice(
+        "solid",
+        Control::Choice { name: "solid", options, expert: &[], chosen, look: ChoiceLook::Segments },
+        move |id| {
+            let kind = kinds.iter().find(|(kind, _)| *kind == id)?.1;
+            Some(Intent::FileOption(ExportOption::Solid, kind.to_string()))
+        },
+    );
+    group(
+        "print",
+        GroupLook::Fold,
+        vec![
+            kind,
+            slider("solid.thickness.mm", range(2.0), "mm", files.thickness_mm, set("thickness"))
+                .hidden(!matches!(solid, Solid::Thickness { .. })),
+            slider("solid.flat.mm", range(3.0), "mm", files.back_mm, set("flat"))
+                .hidden(!matches!(solid, Solid::FlatBack { .. })),
+            Widget::new("print.facts", Control::Facts { rows: rows.collect() }).enabled(!files.body.is_stale),
+            text("print.error", body_error(session), Tone::Error),
+            formats("print.formats", |format| format.supports(ExportOption::Solid)),
+            formats_help("print.help", |format| format.supports(ExportOption::Solid)),
+        ],
+    )
 }
 
 fn amount(key: &'static str, value: f64, decimals: u8) -> Phrase {
@@ -207,10 +235,14 @@ fn photo(session: &Session) -> Widget {
         page_button("download-photo-jpeg", "export.photo.jpeg"),
         page_button("download-photo-png", "export.photo.png"),
     ];
-    group("export.photo", GroupLook::Titled, vec![
-        group("export.photo.formats", GroupLook::Row, buttons),
-        text("export.photo.help", Some(about), Tone::Status),
-    ])
+    group(
+        "export.photo",
+        GroupLook::Titled,
+        vec![
+            group("export.photo.formats", GroupLook::Row, buttons),
+            text("export.photo.help", Some(about), Tone::Status),
+        ],
+    )
 }
 
 /// Formats without options of their own, and JSON.
@@ -219,12 +251,16 @@ fn other_formats(session: &Session) -> Widget {
         let own = [ExportOption::Material, ExportOption::Units, ExportOption::Solid];
         !own.into_iter().any(|option| format.supports(option))
     };
-    group("export.others", GroupLook::Titled, vec![
-        formats("export.formats", is_plain),
-        formats_help("export.formats.help", is_plain),
-        option(session, "export.units", ExportOption::Units, &Units::ALL.map(Units::id), "export.units").expert(),
-        page_button("download-json", "export.json").expert(),
-    ])
+    group(
+        "export.others",
+        GroupLook::Titled,
+        vec![
+            formats("export.formats", is_plain),
+            formats_help("export.formats.help", is_plain),
+            option(session, "export.units", ExportOption::Units, &Units::ALL.map(Units::id), "export.units").expert(),
+            page_button("download-json", "export.json").expert(),
+        ],
+    )
 }
 
 /// Pictures of the view.
@@ -232,14 +268,22 @@ fn pictures(session: &Session) -> [Widget; 4] {
     let abilities = session.files.abilities;
     [
         check("export.transparent", session.is_transparent(), Intent::Transparent),
-        group("export.pictures", GroupLook::Row, vec![
-            page_button("download-picture", "export.picture"),
-            page_button("copy-picture", "export.copy").hidden(!abilities.copies_pictures),
-        ]),
-        group("export.pairs", GroupLook::Row, vec![
-            page_button("download-pair", "pair.save"),
-            page_button("share-pair", "pair.share").hidden(!abilities.shares_pictures),
-        ]),
+        group(
+            "export.pictures",
+            GroupLook::Row,
+            vec![
+                page_button("download-picture", "export.picture"),
+                page_button("copy-picture", "export.copy").hidden(!abilities.copies_pictures),
+            ],
+        ),
+        group(
+            "export.pairs",
+            GroupLook::Row,
+            vec![
+                page_button("download-pair", "pair.save"),
+                page_button("share-pair", "pair.share").hidden(!abilities.shares_pictures),
+            ],
+        ),
         slot("export.clip"),
     ]
 }

@@ -17,13 +17,23 @@ const SYMMETRY: Range = Range { min: 1.0, max: PER_CENT, step: 1.0, neutral: 50.
 pub(super) fn section(session: &Session) -> Widget {
     let sliders = FaceSlider::ALL.map(|slider| proportion(session, slider)).into();
     let share = session.symmetry_share();
-    group("section.face", GroupLook::Section, vec![
-        group("face.sliders", GroupLook::Stack, sliders),
-        group("symmetry", GroupLook::Stack, vec![
-            slider("symmetrise", SYMMETRY, "%", PER_CENT * share, |share| Intent::SymmetryShare(share / PER_CENT)),
-            button("symmetrise.apply", Intent::Symmetrise(share)),
-        ]),
-    ])
+    group(
+        "section.face",
+        GroupLook::Section,
+        vec![
+            group("face.sliders", GroupLook::Stack, sliders),
+            group(
+                "symmetry",
+                GroupLook::Stack,
+                vec![
+                    slider("symmetrise", SYMMETRY, "%", PER_CENT * share, |share| {
+                        Intent::SymmetryShare(share / PER_CENT)
+                    }),
+                    button("symmetrise.apply", Intent::Symmetrise(share)),
+                ],
+            ),
+        ],
+    )
     .on("shape")
     .open()
 }

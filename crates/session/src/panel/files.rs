@@ -32,8 +32,13 @@ pub(crate) struct Files {
 pub(crate) enum File {
     #[default]
     None,
-    Making { is_validated: bool },
-    Made { bytes: f64, verdict: Option<Outcome> },
+    Making {
+        is_validated: bool,
+    },
+    Made {
+        bytes: f64,
+        verdict: Option<Outcome>,
+    },
 }
 
 /// The printed body.

@@ -16,12 +16,16 @@ pub(super) fn section(session: &Session) -> Widget {
     let listed = rows.iter().rev().take(MAX_LISTED).map(|row| entry(session, row)).collect();
     let earlier = rows.len().saturating_sub(MAX_LISTED);
     let earlier = (earlier > 0).then(|| Phrase::word("history.earlier").with("n", earlier));
-    group("section.history", GroupLook::Section, vec![
-        group("history", GroupLook::Stack, listed),
-        text("history.earlier", earlier, Tone::Help),
-        help("history.empty").hidden(!rows.is_empty()),
-        group("history.changes", GroupLook::Row, buttons(session)),
-    ])
+    group(
+        "section.history",
+        GroupLook::Section,
+        vec![
+            group("history", GroupLook::Stack, listed),
+            text("history.earlier", earlier, Tone::Help),
+            help("history.empty").hidden(!rows.is_empty()),
+            group("history.changes", GroupLook::Row, buttons(session)),
+        ],
+    )
     .on("shape")
     .open()
 }

@@ -23,18 +23,22 @@ pub(super) fn section(session: &Session) -> Widget {
         neutral: PER_CENT * FALLOFF_BAND.neutral,
     };
     let seen_from_cm = if seen_from_m.is_finite() { CM_PER_M * seen_from_m } else { SEEN_FROM_CM.max };
-    group("section.in-photo", GroupLook::Section, vec![
-        slider("in-photo.distance", SEEN_FROM_CM, "cm", seen_from_cm, |cm| Intent::SeenFrom(Some(cm / CM_PER_M))),
-        help("in-photo.distance.help"),
-        button("in-photo.as-taken", Intent::SeenFrom(None)).enabled(!is_as_taken),
-        slider("in-photo.ring", band, "%", PER_CENT * session.view().falloff_band, |share| {
-            Intent::FalloffBand(share / PER_CENT)
-        }),
-        help("in-photo.ring.help"),
-        limit(face),
-        check("brush", session.brush_px().is_some(), |on| Intent::Brush(on.then_some(BRUSH_PX.neutral))),
-        brush(session),
-    ])
+    group(
+        "section.in-photo",
+        GroupLook::Section,
+        vec![
+            slider("in-photo.distance", SEEN_FROM_CM, "cm", seen_from_cm, |cm| Intent::SeenFrom(Some(cm / CM_PER_M))),
+            help("in-photo.distance.help"),
+            button("in-photo.as-taken", Intent::SeenFrom(None)).enabled(!is_as_taken),
+            slider("in-photo.ring", band, "%", PER_CENT * session.view().falloff_band, |share| {
+                Intent::FalloffBand(share / PER_CENT)
+            }),
+            help("in-photo.ring.help"),
+            limit(face),
+            check("brush", session.brush_px().is_some(), |on| Intent::Brush(on.then_some(BRUSH_PX.neutral))),
+            brush(session),
+        ],
+    )
     .on("shape")
 }
 
@@ -52,14 +56,22 @@ fn brush(session: &Session) -> Widget {
     let has_strokes = face.is_some_and(|face| face.photo().strokes().count() > 0);
     let can_redo = face.is_some_and(|face| face.photo().strokes().can_redo());
     let size_px = session.brush_px().unwrap_or(BRUSH_PX.neutral);
-    group("brush.tools", GroupLook::Stack, vec![
-        help("brush.help"),
-        slider("brush.size", BRUSH_PX, "px", size_px, |px| Intent::Brush(Some(px))),
-        group("brush.changes", GroupLook::Row, vec![
-            button("brush.undo", Intent::Undo).enabled(has_strokes),
-            button("brush.redo", Intent::Redo).enabled(can_redo),
-            button("brush.clear", Intent::ClearStrokes).enabled(has_strokes),
-        ]),
-    ])
+    group(
+        "brush.tools",
+        GroupLook::Stack,
+        vec![
+            help("brush.help"),
+            slider("brush.size", BRUSH_PX, "px", size_px, |px| Intent::Brush(Some(px))),
+            group(
+                "brush.changes",
+                GroupLook::Row,
+                vec![
+                    button("brush.undo", Intent::Undo).enabled(has_strokes),
+                    button("brush.redo", Intent::Redo).enabled(can_redo),
+                    button("brush.clear", Intent::ClearStrokes).enabled(has_strokes),
+                ],
+            ),
+        ],
+    )
     .hidden(session.brush_px().is_none())
 }

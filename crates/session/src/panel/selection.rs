@@ -2,34 +2,40 @@ use rosto_face::Region;
 use rosto_laplacian::LaplacianError;
 use rosto_studio::{Mirror, StudioError};
 
-use super::widget::{ChoiceLook, Control, GroupLook, Tone, Widget, button, check, choice, group, help, slider, slot, text};
 use super::Phrase;
-use crate::message::value::of;
+use super::widget::{
+    ChoiceLook, Control, GroupLook, Tone, Widget, button, check, choice, group, help, slider, slot, text,
+};
 use crate::edit_options::{RADIUS_MM, SLIDER_MM};
+use crate::message::value::of;
 use crate::{Choice, Intent, OpenFace, Selection, SelectionMode, Session};
 
 /// Selecting a part of the face and moving it.
 pub(super) fn section(session: &Session) -> Widget {
     let mode = session.mode();
-    group("section.landmark", GroupLook::Section, vec![
-        session.setting("selection", Choice::SelectionMode, ChoiceLook::Segments),
-        region(session).hidden(mode != SelectionMode::Region),
-        slot("landmark.search").hidden(mode == SelectionMode::Region),
-        session
-            .setting("point.density", Choice::Density, ChoiceLook::List)
-            .labelled("density".into())
-            .hidden(mode != SelectionMode::Point)
-            .expert(),
-        explanation(session),
-        group("landmark.offset", GroupLook::Lines, offsets(session)).enabled(can_move(session)),
-        depth(session),
-        session.setting("preset", Choice::Preset, ChoiceLook::Segments).expert(),
-        mirror(session),
-        help("edit.mirror.none").hidden(can_mirror(session)),
-        check("edit.nearby", session.edit_options().is_nearby, |on| Intent::Nearby(of(on))),
-        radius(session),
-        pin(session),
-    ])
+    group(
+        "section.landmark",
+        GroupLook::Section,
+        vec![
+            session.setting("selection", Choice::SelectionMode, ChoiceLook::Segments),
+            region(session).hidden(mode != SelectionMode::Region),
+            slot("landmark.search").hidden(mode == SelectionMode::Region),
+            session
+                .setting("point.density", Choice::Density, ChoiceLook::List)
+                .labelled("density".into())
+                .hidden(mode != SelectionMode::Point)
+                .expert(),
+            explanation(session),
+            group("landmark.offset", GroupLook::Lines, offsets(session)).enabled(can_move(session)),
+            depth(session),
+            session.setting("preset", Choice::Preset, ChoiceLook::Segments).expert(),
+            mirror(session),
+            help("edit.mirror.none").hidden(can_mirror(session)),
+            check("edit.nearby", session.edit_options().is_nearby, |on| Intent::Nearby(of(on))),
+            radius(session),
+            pin(session),
+        ],
+    )
     .on("shape")
     .open()
 }
@@ -81,7 +87,8 @@ fn offsets(session: &Session) -> Vec<Widget> {
 /// Shown while the edit points along the view and is hardly visible.
 fn depth(session: &Session) -> Widget {
     let along = text("depth.along", Some(Phrase::word("depth.along")), Tone::Status);
-    group("depth", GroupLook::Row, vec![along, button("depth.show", Intent::ShowDepth)]).hidden(!session.is_along_view())
+    group("depth", GroupLook::Row, vec![along, button("depth.show", Intent::ShowDepth)])
+        .hidden(!session.is_along_view())
 }
 
 fn can_mirror(session: &Session) -> bool {

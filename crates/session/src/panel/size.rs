@@ -34,7 +34,9 @@ fn widgets(session: &Session, face: &OpenFace) -> Vec<Widget> {
     let found = face.found_lens();
     vec![
         text("size.camera", Some(taken_from(&camera.lens, distance_cm, camera.distance_error)), Tone::Help),
-        slider("size.distance", DISTANCE_CM, "cm", shown_cm, |cm| Intent::PhotoLens(PhotoLens::Distance(cm / CM_PER_M))),
+        slider("size.distance", DISTANCE_CM, "cm", shown_cm, |cm| {
+            Intent::PhotoLens(PhotoLens::Distance(cm / CM_PER_M))
+        }),
         button("size.known", Intent::PhotoLens(found)),
         text("size.pose", Some(turn), Tone::Help),
         Widget::new("size.measures", Control::Facts { rows: Measure::ALL.map(measure).into() }),

@@ -80,7 +80,9 @@ impl Session {
     /// Name of a vertex, or its number if it is not a landmark.
     pub(super) fn vertex_name(&self, vertex: u32) -> Phrase {
         match vertex {
-            landmark if (landmark as usize) < rosto_face::LANDMARK_COUNT => self.name_of(EditTarget::Landmark(landmark)),
+            landmark if (landmark as usize) < rosto_face::LANDMARK_COUNT => {
+                self.name_of(EditTarget::Landmark(landmark))
+            }
             other => Phrase::word("target.point").number("n", other.into(), 0),
         }
     }

@@ -285,11 +285,7 @@ pub(super) fn check(id: impl Into<Cow<'static, str>>, on: bool, act: impl Fn(boo
     })
 }
 
-pub(super) fn choice(
-    id: &'static str,
-    control: Control,
-    act: impl Fn(String) -> Option<Intent> + 'static,
-) -> Widget {
+pub(super) fn choice(id: &'static str, control: Control, act: impl Fn(String) -> Option<Intent> + 'static) -> Widget {
     Widget::new(id, control).acting(move |value| match value {
         Value::Text(id) => act(id),
         _ => None,

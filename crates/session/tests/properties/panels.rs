@@ -14,8 +14,7 @@ use crate::faces::session;
 
 const NOSE_TIP: u32 = 1;
 
-const WORDS: [&str; 2] =
-    [include_str!("../../../../web/words/en.json"), include_str!("../../../../web/words/pt.json")];
+const WORDS: [&str; 2] = [include_str!("../../../../web/words/en.json"), include_str!("../../../../web/words/pt.json")];
 
 type Words = BTreeMap<String, Json>;
 
@@ -68,7 +67,10 @@ fn rendered(words: &Words, widgets: &[Widget], depth: usize) -> String {
         let shown = match &widget.control {
             Control::Group { look, widgets, .. } => {
                 let title = label(true);
-                return format!("{title}\n{}", rendered(words, widgets, depth + usize::from(*look != GroupLook::Plain)));
+                return format!(
+                    "{title}\n{}",
+                    rendered(words, widgets, depth + usize::from(*look != GroupLook::Plain))
+                );
             }
             Control::Slider { value, unit, .. } => format!("{}: {value:.1} {unit}", label(true)),
             Control::Check { on, notes } => {
@@ -112,7 +114,8 @@ fn every_panel_renders_to_text_in_every_language() {
 #[test]
 fn the_text_of_the_panel_shows_edits_and_values() {
     let text = rendered(&words(0), &edited().panel(), 0);
-    for line in ["Nose width: 2.0 mm", "forward: 1.0 mm", "[x] nose tip (1.0 mm)", "[x] Nose width (2.0 mm)", "<Undo>"] {
+    for line in ["Nose width: 2.0 mm", "forward: 1.0 mm", "[x] nose tip (1.0 mm)", "[x] Nose width (2.0 mm)", "<Undo>"]
+    {
         assert!(text.contains(line), "no {line:?} in\n{text}");
     }
 }
@@ -175,7 +178,8 @@ fn a_widget_shows_the_value_that_was_set() {
     for id in ids {
         let mut session = edited();
         let find = |session: &Session| all(&session.panel()).into_iter().find(|widget| widget.id == id).cloned();
-        let Some(value) = find(&session).filter(|widget| widget.is_enabled).and_then(|widget| another_value(&widget, 0.75))
+        let Some(value) =
+            find(&session).filter(|widget| widget.is_enabled).and_then(|widget| another_value(&widget, 0.75))
         else {
             continue;
         };

@@ -105,8 +105,9 @@ fn gizmo_axes_are_grabbed_with_each_lens() {
 fn a_lens_changes_only_the_view() {
     let mut session = session();
     for lens in Lens::ALL.into_iter().rev() {
-        let edits =
-            |session: &_| (face(session).document().history().clone(), positions(session), face(session).rows().to_vec());
+        let edits = |session: &_| {
+            (face(session).document().history().clone(), positions(session), face(session).rows().to_vec())
+        };
         let before = edits(&session);
         assert_eq!(act(&mut session, Intent::Lens(lens)), Changed::View);
         assert!(edits(&session) == before, "a lens is not an entry");
