@@ -181,7 +181,7 @@ fn messages_name_their_fields_in_camel_case() {
     let session = selected();
     let state = serde_json::to_value(session.state()).unwrap();
     assert_eq!((&state["vertexCount"], &state["chosen"]["density"]), (&json!(7_257), &json!("2")));
-    assert_eq!((&state["target"]["id"], &state["photos"][0]["leads"]), (&json!("nose-tip"), &json!(true)));
+    assert_eq!((&state["name"]["key"], &state["photos"][0]["leads"]), (&json!("landmark.nose-tip"), &json!(true)));
     let catalogue = serde_json::to_value(Catalogue::default()).unwrap();
     assert_eq!((&catalogue["landmarks"][1], &catalogue["radius"]["neutral"]), (&json!("nose-tip"), &json!(25.0)));
     for choice in Choice::ALL {

@@ -83,7 +83,7 @@ fn rendered(words: &Words, widgets: &[Widget], depth: usize) -> String {
                 format!("{}: {} of {}", label(true), chosen.unwrap_or_default(), names.join(", "))
             }
             Control::Colour { rgb } => format!("{}: {rgb:?}", label(true)),
-            Control::Button => format!("<{}>", label(true)),
+            Control::Button { .. } => format!("<{}>", label(true)),
             Control::Text { phrase, .. } => phrase.as_ref().map(|phrase| text(words, phrase)).unwrap_or_default(),
             Control::Facts { rows } => {
                 rows.iter().map(|(name, value)| format!("{} = {}; ", text(words, name), text(words, value))).collect()
