@@ -58,7 +58,7 @@ test("the service worker lists the SHA-256 of each file of the version, and the 
   }
 });
 
-test("a version has the same name whatever the order of its files, and another one when a file changes", async () => {
+test("the order of files does not change the name of a version, but a changed file does", async () => {
   const version = await versionIn(DIST);
   const folder = test.info().outputPath("dist");
   const copy = async () => {

@@ -1,4 +1,4 @@
-// What esbuild makes of the sources.
+// Scripts that esbuild makes from the sources.
 import path from "node:path";
 
 export const WEB = path.resolve(import.meta.dirname, "..");
@@ -22,7 +22,7 @@ export const WORKER = {
   ...SHARED,
   format: "iife",
   entryPoints: { "vision-worker": "js/worker/vision-worker.js" },
-  // Of the module's default URL, which is not used.
+  // The default URL of the module is not used.
   define: { "import.meta.url": "location.href" },
 };
 

@@ -69,7 +69,7 @@ export class SliderView {
       this.#mark(value === undefined);
       if (value !== undefined) this.#set(value);
     });
-    // An unfinished number gives way to the last one.
+    // The last number replaces an unfinished one.
     this.#number.addEventListener("change", () => {
       const value = this.#typed();
       this.#endTyping();
@@ -133,7 +133,7 @@ export class SliderView {
     this.#number.value = this.#written(this.#value);
   }
 
-  /** Marks a text that is no number in range, and names the range. */
+  /** Marks a text that is not a number in the range, and names the range. */
   #mark(isInvalid: boolean) {
     const { min, max } = this.#limits;
     [this.#number.ariaInvalid, this.#number.title] = isInvalid ? ["true", t("number.range", { min, max })] : [null, ""];

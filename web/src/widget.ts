@@ -2,7 +2,7 @@ import { isWord, t } from "../js/words/words.js";
 import type { Intent, Widget } from "../wasm/rosto-studio-web.js";
 import { textOf } from "./phrase.ts";
 
-/** What widgets do: applies an intent and shows the panels again. */
+/** Function that widgets call: applies an intent and shows the panels again. */
 export type Send = (intent: Intent) => void;
 
 /** A widget on the page. The element stays while the widget's value changes, and with it focus and open folds. */

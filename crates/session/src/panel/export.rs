@@ -212,7 +212,7 @@ fn formats(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
     group(id, GroupLook::Row, Format::ALL.into_iter().filter(|&format| is_listed(format)).map(button).collect())
 }
 
-/// What the formats contain, one sentence each.
+/// Contents of the formats, one sentence each.
 fn formats_help(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
     let texts = Format::ALL.into_iter().filter(|&format| is_listed(format));
     let texts: Vec<Phrase> = texts.map(|format| Phrase::word(format!("format.{}.help", format.id()))).collect();
@@ -245,7 +245,7 @@ fn photo(session: &Session) -> Widget {
     )
 }
 
-/// Formats without options of their own, and JSON.
+/// Formats without separate options, and JSON.
 fn other_formats(session: &Session) -> Widget {
     let is_plain = |format: Format| {
         let own = [ExportOption::Material, ExportOption::Units, ExportOption::Solid];

@@ -54,7 +54,7 @@ fn name(expression: Expression, is_mirrored: bool) -> Phrase {
     word("expression", bare.unwrap_or(id))
 }
 
-/// What a commit of an expression says.
+/// Speech after a commit of an expression.
 pub(crate) fn shown(session: &Session, expression: Expression, weight: f64) -> Phrase {
     let name = name(expression, session.edit_options().mirror == Mirror::On);
     Phrase::word("expression.shown").with("name", name).number("n", PER_CENT * weight, 0)

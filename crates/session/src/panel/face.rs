@@ -51,7 +51,7 @@ pub(crate) fn range_mm(slider: FaceSlider) -> Range {
     Range { min: -max, max, step: STEP_MM, neutral: 0.0 }
 }
 
-/// What a commit of a ready-made slider says.
+/// Speech after a commit of a ready-made slider.
 pub(crate) fn slid(slider: FaceSlider, mm: f64) -> Phrase {
     Phrase::word("face.slid").with("name", super::name::word("slider", slider.id())).number("mm", mm, 1)
 }

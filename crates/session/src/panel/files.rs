@@ -57,7 +57,7 @@ pub(crate) struct PhotoFile {
     pub saved_px: Option<[u32; 2]>,
 }
 
-/// What this browser can do with files.
+/// Abilities of this browser with files.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct Abilities {
@@ -113,11 +113,11 @@ pub struct BodyError {
     pub max_mm: Option<f64>,
 }
 
-/// What the page reports about its files.
+/// Report of the page about its files.
 #[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
 #[serde(rename_all = "kebab-case", rename_all_fields = "camelCase")]
 pub enum Report {
-    /// What the browser can do.
+    /// Abilities of the browser.
     Abilities(Abilities),
     /// Stem of the names of the face's files.
     Stem(String),

@@ -111,7 +111,7 @@ fn pin(session: &Session) -> Widget {
     pin.noted("edit.pin.how").enabled(face.is_some_and(|face| face.selection().is_some()))
 }
 
-/// What a commit of an offset says.
+/// Speech after a commit of an offset.
 pub(crate) fn moved(session: &Session, face: &OpenFace) -> Option<Phrase> {
     let name = session.name_of(face.selection()?.target());
     let offset_mm = face.offset_mm();

@@ -2,7 +2,7 @@ use super::{Phrase, moved, shown, slid};
 use crate::selection::Moving;
 use crate::{Intent, OpenFace, Session};
 
-/// What screen readers say about an intent.
+/// Speech of screen readers about an intent.
 impl Session {
     /// Announcement of an intent that is about to be applied.
     pub(crate) fn said_before(&self, intent: &Intent) -> Option<Phrase> {

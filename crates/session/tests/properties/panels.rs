@@ -237,7 +237,7 @@ fn replace(old: &mut Widget, new: &Widget) -> bool {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(8))]
 
-    /// Whatever the user does, the changes add up to the panel.
+    /// After any actions of the user, the changes add up to the panel.
     #[test]
     fn diffs_add_up_to_the_panel(actions in prop::collection::vec((any::<prop::sample::Index>(), 0.0..1.0), 1..12)) {
         let mut session = edited();

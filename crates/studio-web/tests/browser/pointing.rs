@@ -52,7 +52,7 @@ async fn a_region_can_be_dragged_by_each_landmark() {
     assert_eq!(state(&studio)["name"]["key"], "region.nose");
     grab(&mut studio, CHIN, [0.0; 2]);
     let now = state(&studio);
-    assert_eq!((&now["selected"], &now["name"]["key"]), (&json!(CHIN), &json!("landmark.bottom-of-the-chin")));
+    assert_eq!((&now["selected"], &now["name"]["key"]), (&json!(CHIN), &json!("landmark.middle-of-the-chin")));
     apply(&mut studio, json!("release"));
     apply(&mut studio, json!({ "selection": "region" }));
     assert_eq!(state(&studio)["name"]["key"], "region.chin");
