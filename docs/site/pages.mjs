@@ -76,6 +76,7 @@ export const GROUPS = [
       doc("decisions/0004-own-icc-reader", "Decision 4: colour profiles"),
       doc("decisions/0005-layers-of-our-own", "Decision 5: network layers"),
       doc("decisions/0006-own-exif-reader", "Decision 6: EXIF reader"),
+      doc("decisions/0007-own-panel-renderer", "Decision 7: panel renderer"),
     ],
   },
 ];
