@@ -14,6 +14,7 @@ mod error;
 #[path = "../tests/properties/faces.rs"]
 #[allow(dead_code, reason = "the property tests use the other items")]
 mod faces;
+mod files;
 mod formats;
 mod gesture;
 mod live_preview;
@@ -21,6 +22,7 @@ mod marks;
 mod message;
 mod open_face;
 mod panel;
+mod panel_state;
 mod range;
 mod rows;
 mod saved;
@@ -40,20 +42,18 @@ pub use choice::Choice;
 pub use drag::Pace;
 pub use edit_options::{AnchorChoice, EditOptions, Preset, RADIUS_MM, SLIDER_MM};
 pub use error::SessionError;
+pub use files::{Abilities, BodyError, BodyFacts, Outcome, Report};
 pub use formats::{FormatFacts, formats};
 pub use gesture::Hovered;
 pub use live_preview::LivePreview;
 pub use message::{Applied, Catalogue, LightSettings, PhotoState, SliderRange, State, Tick};
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
-pub use panel::{
-    Abilities, BodyError, BodyFacts, ChoiceLook, Control, GroupLook, Level, MAX_LISTED, Outcome, PanelDiff, Part,
-    Phrase, Report, Tone, Value, Widget,
-};
+pub use panel::{ChoiceLook, Control, GroupLook, Level, MAX_LISTED, PanelDiff, Part, Phrase, Tone, Widget};
 pub use range::Range;
 pub use rows::Row;
 pub use saved::{MAX_ENTRIES, MAX_SHOWN_DENSITY};
 pub use selection::{Selection, SelectionMode};
-pub use session::{BRUSH_PX, FALLOFF_BAND, Intent, Session};
+pub use session::{BRUSH_PX, FALLOFF_BAND, Intent, Session, Value};
 pub use strokes::Strokes;
 pub use texture::TextureSource;
 pub use view::{Motion, Turntable, View};

@@ -8,7 +8,6 @@ mod choices;
 mod export;
 mod expressions;
 mod face;
-mod files;
 mod history;
 mod in_photo;
 mod method;
@@ -17,23 +16,19 @@ mod phrase;
 mod selection;
 mod size;
 mod speech;
-mod state;
 mod view;
 mod widget;
 
 use serde::Serialize;
 use tsify::Tsify;
 
-use crate::{Changed, Intent, Session, SessionError};
+use crate::{Changed, Intent, Session, SessionError, Value};
 pub(crate) use expressions::shown;
 pub(crate) use face::{range_mm, slid};
-pub(crate) use files::Files;
-pub use files::{Abilities, BodyError, BodyFacts, Outcome, Report};
 pub use history::MAX_LISTED;
 pub use phrase::{Part, Phrase};
 pub(crate) use selection::moved;
-pub(crate) use state::PanelState;
-pub use widget::{ChoiceLook, Control, GroupLook, Level, Tone, Value, Widget};
+pub use widget::{ChoiceLook, Control, GroupLook, Level, Tone, Widget};
 
 /// A section, and whether the ticks of an edit change it.
 type Section = (fn(&Session) -> Widget, bool);

@@ -3,9 +3,11 @@ mod dispatch;
 mod editing;
 #[cfg(test)]
 mod faults;
+mod files;
 mod intent;
 mod live_preview;
 mod opening;
+mod panel_state;
 mod photo;
 mod pointing;
 mod preferences;
@@ -16,14 +18,15 @@ mod transaction;
 use rosto_face::LANDMARK_COUNT;
 use rosto_stage::{Axis, Scene, Stage};
 
+use crate::files::Files;
 use crate::gesture::{Gesture, Hovered};
 use crate::live_preview::LivePreview;
 use crate::open_face::OpenFace;
-use crate::panel::{Files, PanelState};
+use crate::panel_state::PanelState;
 use crate::seeds::Seeds;
 use crate::texture::TextureRequests;
 use crate::{Changed, EditOptions, SelectionMode, SessionError, View, marks};
-pub use intent::Intent;
+pub use intent::{Intent, Value};
 pub use photo::{BRUSH_PX, FALLOFF_BAND};
 
 /// A user's session: the open face, settings, selection, edit in progress and view.

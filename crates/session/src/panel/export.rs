@@ -1,12 +1,12 @@
 use rosto::{EditsAs, ExpressionsAs};
 use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material, SOLID_MM, Solid, Units};
 
-use super::files::{File, Outcome};
 use super::name::word;
 use super::widget::{
     ChoiceLook, Control, GroupLook, Tone, Widget, check, choice, group, help, page_button, slider, slot, text,
 };
 use super::{Part, Phrase};
+use crate::files::{File, Outcome};
 use crate::{Choice, Intent, Range, Session};
 
 /// Rounding below this is not visible, in mm.
@@ -79,7 +79,8 @@ fn facts(session: &Session) -> Widget {
         _ => Phrase::word("amount.none"),
     };
     let name = Phrase::word("export.name").with("name", session.file_name(Format::Glb.id()));
-    let [points, triangles] = session.face().map(|face| session.counts_in_file(face)).unwrap_or_default();
+    let [points, triangles] =
+        session.face().map(|face| face.mesh_counts(session.files.options.has_pieces(Format::Glb))).unwrap_or_default();
     let holds = Phrase::word("export.holds").with("format", "GLB".to_owned()).with("points", points);
     let holds = holds.with("triangles", triangles).with("paint", paint(session));
     group(

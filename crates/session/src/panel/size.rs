@@ -1,10 +1,11 @@
-use rosto_face::{Measure, PhotoLens};
+use rosto_face::{LANDMARK_COUNT, Measure, PhotoLens};
+use rosto_studio::EditTarget;
 
 use super::Phrase;
 use super::name::word;
-use super::state::Tape;
 use super::widget::{Control, GroupLook, Tone, Widget, button, group, slider, text};
 use crate::open_face::MM_PER_M;
+use crate::panel_state::Tape;
 use crate::{Intent, OpenFace, Range, Session};
 
 const CM_PER_M: f64 = 100.0;
@@ -60,7 +61,7 @@ fn taken_from(lens: &PhotoLens, distance_cm: Option<f64>, error: f64) -> Phrase 
 /// Distance from the start of the tape to the selection.
 fn tape(session: &Session, error: f64) -> Phrase {
     let Some(Tape { from, measured }) = session.tape() else { return Phrase::word("tape.help") };
-    let name = |vertex| session.vertex_name(vertex);
+    let name = |vertex| vertex_name(session, vertex);
     match measured {
         None => Phrase::word("tape.next").with("from", name(from)),
         Some((to, [straight_mm, along_mm])) => {
@@ -73,4 +74,12 @@ fn tape(session: &Session, error: f64) -> Phrase {
 /// A length with its standard deviation.
 fn length(mm: f64, error: f64) -> Phrase {
     Phrase::word("amount.mm.about").number("mm", mm, 0).number("error", (mm * error).max(1.0), 0)
+}
+
+/// Name of a vertex, or its number if it is not a landmark.
+fn vertex_name(session: &Session, vertex: u32) -> Phrase {
+    match vertex {
+        landmark if (landmark as usize) < LANDMARK_COUNT => session.name_of(EditTarget::Landmark(landmark)),
+        other => Phrase::word("target.point").number("n", other.into(), 0),
+    }
 }

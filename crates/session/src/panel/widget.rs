@@ -2,11 +2,11 @@ use std::borrow::Cow;
 use std::fmt;
 use std::rc::Rc;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use tsify::Tsify;
 
 use super::Phrase;
-use crate::{Intent, Range};
+use crate::{Intent, Range, Value};
 
 /// A part of a panel. Its id is also the key of its label.
 #[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
@@ -157,20 +157,6 @@ pub enum Tone {
     Success,
     /// An error.
     Error,
-}
-
-/// A value that the user has entered.
-#[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
-#[serde(untagged)]
-pub enum Value {
-    /// State of a switch.
-    Flag(bool),
-    /// A number.
-    Number(f64),
-    /// Id of a choice.
-    Text(String),
-    /// An sRGB colour.
-    Colour([u8; 3]),
 }
 
 /// The intent of a widget's value; none if the value has another type.

@@ -10,8 +10,8 @@ use serde::Deserialize;
 use tsify::Tsify;
 
 use crate::drag::Pace;
+use crate::files::Report;
 use crate::message::value;
-use crate::panel::{Report, Value};
 use crate::{AnchorChoice, Motion, Preset, Selection, SelectionMode, TextureSource, Turntable};
 
 /// A user action, and the message of the page for it. Positions are in device pixels from the top left of the canvas.
@@ -385,4 +385,18 @@ impl Intent {
                 | Self::Turntable(_)
         )
     }
+}
+
+/// A value that the user has entered.
+#[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
+#[serde(untagged)]
+pub enum Value {
+    /// State of a switch.
+    Flag(bool),
+    /// A number.
+    Number(f64),
+    /// Id of a choice.
+    Text(String),
+    /// An sRGB colour.
+    Colour([u8; 3]),
 }

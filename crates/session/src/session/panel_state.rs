@@ -1,49 +1,19 @@
-use rosto_studio::EditTarget;
-
-use super::Phrase;
-use crate::error::within;
-use crate::{Changed, OpenFace, Session, SessionError};
-
-/// State that only panels have.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct PanelState {
-    is_expert: bool,
-    symmetry_share: f64,
-    tape: Option<Tape>,
-}
-
-/// The measuring tape.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Tape {
-    /// Vertex at its start.
-    pub from: u32,
-    /// Vertex at its end, and the distance in mm: straight, and along the surface.
-    pub measured: Option<(u32, [f64; 2])>,
-}
-
-impl Default for PanelState {
-    fn default() -> Self {
-        Self { is_expert: false, symmetry_share: 0.5, tape: None }
-    }
-}
-
-impl PanelState {
-    /// The state for another face.
-    pub fn for_another_face(self) -> Self {
-        Self { is_expert: self.is_expert, ..Self::default() }
-    }
-}
+use super::Session;
+use crate::changed::Changed;
+use crate::error::{SessionError, within};
+use crate::open_face::OpenFace;
+use crate::panel_state::Tape;
 
 impl Session {
-    pub(super) fn is_expert(&self) -> bool {
+    pub(crate) fn is_expert(&self) -> bool {
         self.panel.is_expert
     }
 
-    pub(super) fn symmetry_share(&self) -> f64 {
+    pub(crate) fn symmetry_share(&self) -> f64 {
         self.panel.symmetry_share
     }
 
-    pub(super) fn tape(&self) -> Option<Tape> {
+    pub(crate) fn tape(&self) -> Option<Tape> {
         self.panel.tape
     }
 
@@ -75,15 +45,5 @@ impl Session {
         let to = face.selected().filter(|&to| to != tape.from);
         let measured = to.and_then(|to| Some((to, face.measured_mm(tape.from, to).ok()?)));
         self.panel.tape = Some(Tape { measured, ..tape });
-    }
-
-    /// Name of a vertex, or its number if it is not a landmark.
-    pub(super) fn vertex_name(&self, vertex: u32) -> Phrase {
-        match vertex {
-            landmark if (landmark as usize) < rosto_face::LANDMARK_COUNT => {
-                self.name_of(EditTarget::Landmark(landmark))
-            }
-            other => Phrase::word("target.point").number("n", other.into(), 0),
-        }
     }
 }
