@@ -1,4 +1,4 @@
-use rosto::{EditsAs, ExpressionsAs};
+use rosto::{EditsAs, ExpressionsAs, FileOptions};
 use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material, SOLID_MM, Solid, Units};
 
 use super::name::word;
@@ -14,19 +14,30 @@ const VISIBLE_MM: f64 = 0.05;
 
 /// Files and pictures of the face.
 pub(super) fn section(session: &Session) -> Widget {
+    let now = session.files.options;
     let glb = vec![
-        option(session, "base-colour", ExportOption::BaseColour, &BaseColour::ALL.map(BaseColour::id), "base-colour"),
+        option("base-colour", now.base_colour, BaseColour::id, &BaseColour::ALL, move |base_colour| FileOptions {
+            base_colour,
+            ..now
+        }),
         session.setting("texture-size", Choice::TextureSize, ChoiceLook::List),
         session.setting("export.density", Choice::Density, ChoiceLook::List).labelled("density".into()).expert(),
-        switch(session, "export.unlit", ExportOption::Material, [Material::Lit.id(), Material::Unlit.id()]),
-        switch(session, "export.morphs", ExportOption::Edits, [EditsAs::Shape.id(), EditsAs::MorphTargets.id()]),
-        switch(
-            session,
-            "export.expressions",
-            ExportOption::Expressions,
-            [ExpressionsAs::Shape.id(), ExpressionsAs::MorphTargets.id()],
-        ),
-        switch(session, "export.eyes", ExportOption::Eyes, [Eyes::Skin.id(), Eyes::Pieces.id()]),
+        switch("export.unlit", now.material == Material::Unlit, move |on| FileOptions {
+            material: if on { Material::Unlit } else { Material::Lit },
+            ..now
+        }),
+        switch("export.morphs", now.edits == EditsAs::MorphTargets, move |on| FileOptions {
+            edits: if on { EditsAs::MorphTargets } else { EditsAs::Shape },
+            ..now
+        }),
+        switch("export.expressions", now.expressions == ExpressionsAs::MorphTargets, move |on| FileOptions {
+            expressions: if on { ExpressionsAs::MorphTargets } else { ExpressionsAs::Shape },
+            ..now
+        }),
+        switch("export.eyes", now.eyes == Eyes::Pieces, move |on| FileOptions {
+            eyes: if on { Eyes::Pieces } else { Eyes::Skin },
+            ..now
+        }),
         facts(session),
         group(
             "export.glb",
@@ -46,30 +57,31 @@ pub(super) fn section(session: &Session) -> Widget {
     group("section.export", GroupLook::Plain, glb.into_iter().chain(others).chain(project).collect()).on("export")
 }
 
-fn option(
-    session: &Session,
+/// A choice between the values of a file option.
+fn option<T: Copy + PartialEq + 'static>(
     id: &'static str,
-    option: ExportOption,
-    ids: &[&'static str],
-    name: &'static str,
+    chosen: T,
+    ids: fn(T) -> &'static str,
+    all: &'static [T],
+    set: impl Fn(T) -> FileOptions + 'static,
 ) -> Widget {
-    let chosen = Some(value(session, option).split(':').next().unwrap_or_default().to_owned());
-    let options = ids.iter().map(|&id| id.to_owned()).collect();
-    let look = ChoiceLook::Segments;
-    choice(id, Control::Choice { name, options, expert: &[], chosen, look }, move |id| {
-        Some(Intent::FileOption(option, id))
+    let options = all.iter().map(|&value| ids(value).to_owned()).collect();
+    let control = Control::Choice {
+        name: id,
+        options,
+        expert: &[],
+        chosen: Some(ids(chosen).to_owned()),
+        look: ChoiceLook::Segments,
+    };
+    choice(id, control, move |id| {
+        let value = all.iter().copied().find(|&value| ids(value) == id)?;
+        Some(Intent::FileOptions(set(value)))
     })
 }
 
-/// A switch for an option with two values.
-fn switch(session: &Session, id: &'static str, option: ExportOption, [off, on]: [&'static str; 2]) -> Widget {
-    let is_on = value(session, option) == on;
-    check(id, is_on, move |is_on| Intent::FileOption(option, if is_on { on } else { off }.to_owned())).expert()
-}
-
-fn value(session: &Session, option: ExportOption) -> String {
-    let options = session.file_options();
-    options.into_iter().find(|(id, _)| *id == option.id()).map(|(_, value)| value).unwrap_or_default()
+/// A switch between two values of a file option.
+fn switch(id: &'static str, is_on: bool, set: impl Fn(bool) -> FileOptions + 'static) -> Widget {
+    check(id, is_on, move |is_on| Intent::FileOptions(set(is_on))).expert()
 }
 
 /// Name, size and content of the GLB.
@@ -142,7 +154,8 @@ fn print(session: &Session) -> Widget {
     let solid = files.options.solid;
     let [min, max] = SOLID_MM;
     let range = |neutral| Range { min, max, step: 0.1, neutral };
-    let set = |kind: &'static str| move |mm: f64| Intent::FileOption(ExportOption::Solid, format!("{kind}:{mm}"));
+    let now = files.options;
+    let set = move |solid| Intent::FileOptions(FileOptions { solid, ..now });
     let rows = files.body.facts.iter().flat_map(|body| {
         let [x, y, z] = body.size_mm;
         let size = Phrase::word("amount.size").number("x", x, 0).number("y", y, 0).number("z", z, 0);
@@ -167,8 +180,8 @@ fn print(session: &Session) -> Widget {
         "solid",
         Control::Choice { name: "solid", options, expert: &[], chosen, look: ChoiceLook::Segments },
         move |id| {
-            let kind = kinds.iter().find(|(kind, _)| *kind == id)?.1;
-            Some(Intent::FileOption(ExportOption::Solid, kind.to_string()))
+            let solid = kinds.iter().find(|(kind, _)| *kind == id)?.1;
+            Some(set(solid))
         },
     );
     group(
@@ -176,9 +189,9 @@ fn print(session: &Session) -> Widget {
         GroupLook::Fold,
         vec![
             kind,
-            slider("solid.thickness.mm", range(2.0), "mm", files.thickness_mm, set("thickness"))
+            slider("solid.thickness.mm", range(2.0), "mm", files.thickness_mm, move |mm| set(Solid::Thickness { mm }))
                 .hidden(!matches!(solid, Solid::Thickness { .. })),
-            slider("solid.flat.mm", range(3.0), "mm", files.back_mm, set("flat"))
+            slider("solid.flat.mm", range(3.0), "mm", files.back_mm, move |mm| set(Solid::FlatBack { mm }))
                 .hidden(!matches!(solid, Solid::FlatBack { .. })),
             Widget::new("print.facts", Control::Facts { rows: rows.collect() }).enabled(!files.body.is_stale),
             text("print.error", body_error(session), Tone::Error),
@@ -248,6 +261,7 @@ fn photo(session: &Session) -> Widget {
 
 /// Formats without separate options, and JSON.
 fn other_formats(session: &Session) -> Widget {
+    let now = session.files.options;
     let is_plain = |format: Format| {
         let own = [ExportOption::Material, ExportOption::Units, ExportOption::Solid];
         !own.into_iter().any(|option| format.supports(option))
@@ -258,7 +272,8 @@ fn other_formats(session: &Session) -> Widget {
         vec![
             formats("export.formats", is_plain),
             formats_help("export.formats.help", is_plain),
-            option(session, "export.units", ExportOption::Units, &Units::ALL.map(Units::id), "export.units").expert(),
+            option("export.units", now.units, Units::id, &Units::ALL, move |units| FileOptions { units, ..now })
+                .expert(),
             page_button("download-json", "export.json").expert(),
         ],
     )

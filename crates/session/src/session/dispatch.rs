@@ -14,7 +14,7 @@ impl Session {
             Intent::Close => self.close(),
             Intent::RestorePreferences(text) => self.prefer(&text),
             Intent::Expert(is_expert) => Ok(self.set_expert(is_expert)),
-            Intent::FileOption(option, value) => self.set_file_option(option, &value),
+            Intent::FileOptions(options) => self.set_file_options(options),
             Intent::Transparent(is_transparent) => Ok(self.set_transparent(is_transparent)),
             Intent::Report(report) => Ok(self.take_report(report)),
             Intent::SymmetryShare(share) => self.set_symmetry_share(share),

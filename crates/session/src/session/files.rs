@@ -1,9 +1,9 @@
 use rosto::FileOptions;
-use rosto_export::{ExportOption, Solid};
+use rosto_export::{ExportOption, SOLID_MM, Solid};
 
 use super::Session;
 use crate::changed::Changed;
-use crate::error::SessionError;
+use crate::error::{SessionError, within};
 use crate::files::Report;
 
 impl Session {
@@ -42,14 +42,14 @@ impl Session {
         self.files.is_transparent
     }
 
-    pub(crate) fn set_file_option(&mut self, option: ExportOption, value: &str) -> Result<Changed, SessionError> {
-        let unknown = |_| SessionError::NoSuchWidget { id: option.id().to_owned() };
-        self.files.options.set(option, value).map_err(unknown)?;
-        match self.files.options.solid {
-            Solid::Thickness { mm } => self.files.thickness_mm = mm,
-            Solid::FlatBack { mm } => self.files.back_mm = mm,
+    pub(super) fn set_file_options(&mut self, options: FileOptions) -> Result<Changed, SessionError> {
+        let [min, max] = SOLID_MM;
+        match options.solid {
+            Solid::Thickness { mm } => self.files.thickness_mm = within("the thickness", mm, min, max)?,
+            Solid::FlatBack { mm } => self.files.back_mm = within("the back", mm, min, max)?,
             Solid::Surface => {}
         }
+        self.files.options = options;
         Ok(Changed::Document)
     }
 

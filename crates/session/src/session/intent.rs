@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
-use rosto::SavedFace;
-use rosto_export::{ExportOption, TextureSize};
+use rosto::{FileOptions, SavedFace};
+use rosto_export::TextureSize;
 use rosto_face::{Observation, PhotoLens, Triangulation};
 use rosto_stage::{
     Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Theme, Visibility,
@@ -193,13 +193,9 @@ pub enum Intent {
         #[tsify(type = "boolean")]
         Switch,
     ),
-    /// Sets an option of exported files, by its id and the id of its value.
-    FileOption(
-        #[serde(deserialize_with = "value::id")]
-        #[tsify(type = "string")]
-        ExportOption,
-        String,
-    ),
+    /// Sets the options of exported files.
+    #[serde(skip)]
+    FileOptions(FileOptions),
     /// Sets whether pictures have a transparent background.
     Transparent(bool),
     /// The page reports about its files.
