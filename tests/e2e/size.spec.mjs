@@ -25,7 +25,7 @@ test("the panel shows the estimated distance, which can be changed and is saved 
   const near = await measures(page);
   assert.ok(near["Face width"] > found["Face width"] * 1.02, "the face is not wider for a nearer camera");
   assert.ok(difference(before, await editor.view()) > 0.005, "the model did not follow");
-  await page.click("[data-action=distance-known]");
+  await page.click("[data-action='size.known']");
   assert.equal(await number.inputValue(), usual);
   assert.deepEqual(await measures(page), found);
 
@@ -63,7 +63,7 @@ test("a tape is cleared if a coarser mesh lacks its start", { tag: "@rare" }, as
   await editor.findLandmark("1200");
   await editor.unfold("section-size");
   await page.click("[data-action='tape.start']");
-  assert.match(await page.innerText("#tape-result"), /From 1200/);
+  assert.match(await page.innerText("#tape-result"), /From point 1200/i);
   await editor.unfold("section-view");
   await page.selectOption("#density", "0");
   await editor.findLandmark("nose tip");
