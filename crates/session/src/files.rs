@@ -3,15 +3,20 @@ use rosto_export::Solid;
 use serde::Deserialize;
 use tsify::Tsify;
 
+/// Default thickness of a printed mask, and of a flat back, in mm.
+pub(crate) const THICKNESS_MM: f64 = 2.0;
+pub(crate) const BACK_MM: f64 = 3.0;
+
 /// Stem of file names without a photo's name.
 const DEFAULT_STEM: &str = "face";
 
-/// Files that panels offer: their options, and what the page reports about them.
+/// Files that panels offer: their options, and the page's reports about them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Files {
     pub options: FileOptions,
-    /// Wall and back of a printed body, in mm; the other one is kept.
+    /// Wall of a printed mask, in mm, also while another body is chosen.
     pub thickness_mm: f64,
+    /// Thickness behind the deepest point of a flat back, in mm.
     pub back_mm: f64,
     /// Whether pictures have a transparent background.
     pub is_transparent: bool,
@@ -99,7 +104,7 @@ pub struct BodyFacts {
     pub pla_grams: f64,
 }
 
-/// Why a body cannot be made.
+/// Reason why a body cannot be made.
 #[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct BodyError {
@@ -116,39 +121,41 @@ pub struct BodyError {
 pub enum Report {
     /// Abilities of the browser.
     Abilities(Abilities),
-    /// Stem of the names of the face's files.
-    Stem(String),
-    /// A GLB is being made.
-    Making {
+    /// Names and pictures of the open face.
+    Face {
+        /// Stem of the names of its files.
+        stem: String,
+        /// Width and height of the photo in its saved file, in px; none if the photo's own file is open.
+        saved_px: Option<[u32; 2]>,
+    },
+    /// Making a GLB has started.
+    GlbStarted {
         /// Whether the validator will check it.
         is_validated: bool,
     },
     /// A GLB has been made.
-    Made {
-        /// Its size.
+    GlbMade {
+        /// Its size in bytes.
         bytes: f64,
         /// Result of the validation, if there was one.
         verdict: Option<Outcome>,
     },
     /// Making a GLB has failed.
-    NotMade,
-    /// Measures of the printed body; none of a surface.
-    Body(Option<BodyFacts>),
-    /// The printed body cannot be made.
-    NoBody(BodyError),
+    GlbFailed,
+    /// The printed body has been measured; a surface has no measures.
+    BodyMeasured(Option<BodyFacts>),
+    /// Making the printed body has failed.
+    BodyFailed(BodyError),
     /// Whether the edited photo is being written.
     WritingPhoto(bool),
-    /// Size of the photo in a saved file in px; none if the photo's own file is open.
-    SavedPhoto(Option<[u32; 2]>),
 }
 
 impl Default for Files {
     fn default() -> Self {
-        let (thickness_mm, back_mm) = (2.0, 3.0);
         Self {
-            options: FileOptions { solid: Solid::Thickness { mm: thickness_mm }, ..FileOptions::default() },
-            thickness_mm,
-            back_mm,
+            options: FileOptions { solid: Solid::Thickness { mm: THICKNESS_MM }, ..FileOptions::default() },
+            thickness_mm: THICKNESS_MM,
+            back_mm: BACK_MM,
             is_transparent: true,
             abilities: Abilities::default(),
             stem: DEFAULT_STEM.to_owned(),
@@ -161,21 +168,21 @@ impl Default for Files {
 }
 
 impl Files {
+    /// Takes over a report.
     pub fn take(&mut self, report: Report) {
         match report {
             Report::Abilities(abilities) => self.abilities = abilities,
-            Report::Stem(stem) => self.stem = stem,
-            Report::Making { is_validated } => self.file = File::Making { is_validated },
+            Report::Face { stem, saved_px } => (self.stem, self.photo.saved_px) = (stem, saved_px),
+            Report::GlbStarted { is_validated } => self.file = File::Making { is_validated },
             // Else the face has changed since.
-            Report::Made { bytes, verdict } if matches!(self.file, File::Making { .. }) => {
+            Report::GlbMade { bytes, verdict } if matches!(self.file, File::Making { .. }) => {
                 self.file = File::Made { bytes, verdict };
             }
-            Report::Made { .. } => {}
-            Report::NotMade => self.file = File::None,
-            Report::Body(facts) => self.body = Body { facts, ..Body::default() },
-            Report::NoBody(error) => self.body = Body { error: Some(error), ..Body::default() },
+            Report::GlbMade { .. } => {}
+            Report::GlbFailed => self.file = File::None,
+            Report::BodyMeasured(facts) => self.body = Body { facts, ..Body::default() },
+            Report::BodyFailed(error) => self.body = Body { error: Some(error), ..Body::default() },
             Report::WritingPhoto(is_writing) => self.photo.is_writing = is_writing,
-            Report::SavedPhoto(saved_px) => self.photo.saved_px = saved_px,
         }
     }
 

@@ -12,7 +12,7 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use crate::{Changed, Phrase, Session, SessionError};
-pub use catalogue::{Catalogue, SliderRange};
+pub use catalogue::Catalogue;
 pub use state::{PhotoState, State};
 pub use tick::Tick;
 pub use value::LightSettings;

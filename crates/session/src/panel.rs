@@ -4,6 +4,7 @@
 //! sections: its id, its value, and the intent of another value. [`Session::panel_diff`] returns the widgets that
 //! differ from those of an earlier time.
 
+mod build;
 mod choices;
 mod export;
 mod expressions;
@@ -13,6 +14,7 @@ mod in_photo;
 mod method;
 mod name;
 mod phrase;
+mod print;
 mod selection;
 mod size;
 mod speech;
@@ -24,11 +26,14 @@ use tsify::Tsify;
 
 use crate::{Changed, Intent, Session, SessionError, Value};
 pub(crate) use expressions::shown;
-pub(crate) use face::{range_mm, slid};
+pub(crate) use face::slid;
 pub use history::MAX_LISTED;
 pub use phrase::{Part, Phrase};
 pub(crate) use selection::moved;
 pub use widget::{ChoiceLook, Control, GroupLook, Level, Tone, Widget};
+
+const PER_CENT: f64 = 100.0;
+const CM_PER_M: f64 = 100.0;
 
 /// A section, and whether the ticks of an edit change it.
 type Section = (fn(&Session) -> Widget, bool);
@@ -87,8 +92,7 @@ impl Session {
     }
 
     fn widget_intent(&self, id: String, value: Value) -> Result<Intent, SessionError> {
-        let panel = self.panel();
-        let widget = panel.iter().find_map(|section| find(section, &id));
+        let widget = SECTIONS.into_iter().find_map(|(section, _)| find(&section(self), &id).cloned());
         widget.and_then(|widget| widget.intent(value)).ok_or(SessionError::NoSuchWidget { id })
     }
 }

@@ -1,3 +1,6 @@
+/// Share by which the panel offers to make a face symmetric at first.
+pub(crate) const SYMMETRY_SHARE: f64 = 0.5;
+
 /// State that only panels have.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PanelState {
@@ -17,7 +20,7 @@ pub(crate) struct Tape {
 
 impl Default for PanelState {
     fn default() -> Self {
-        Self { is_expert: false, symmetry_share: 0.5, tape: None }
+        Self { is_expert: false, symmetry_share: SYMMETRY_SHARE, tape: None }
     }
 }
 

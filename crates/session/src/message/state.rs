@@ -1,16 +1,16 @@
 use std::collections::BTreeMap;
 
 use rosto_face::{LANDMARK_COUNT, Turn};
-use rosto_stage::{Background, Dots, PictureLight, Srgb, Visibility};
-use rosto_studio::{Expression, FaceSlider, Mirror, Switch};
+use rosto_stage::Visibility;
+use rosto_studio::{Expression, FaceSlider};
 use serde::Serialize;
 use tsify::Tsify;
 
 use super::{LightSettings, Tick};
 use crate::open_face::PhotoFacts;
-use crate::{Choice, EditOptions, OpenFace, Phrase, Selection, Session, Turntable};
+use crate::{Choice, OpenFace, Phrase, Selection, Session, Turntable};
 
-/// The state that panels show.
+/// The state that the page reads outside the panels.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 #[tsify(hashmap_as_object)]
@@ -26,10 +26,6 @@ pub struct State {
     pub name: Option<Phrase>,
     /// Whether each vertex of the selection is pinned.
     pub is_pinned: bool,
-    /// Whether the selection has a mirror image.
-    pub can_mirror: bool,
-    /// Whether the selection is its own mirror image and the mirror is on; sideways it moves without the mirror.
-    pub lies_in_plane: bool,
     /// Whether the edit in progress moves sideways out of the mirror plane.
     pub leaves_plane: bool,
     /// Whether a ready-made slider or an expression is being moved, rather than the selection.
@@ -43,10 +39,6 @@ pub struct State {
 
     /// Id of each setting's value; none if it is not an available one, such as when no preset matches.
     pub chosen: BTreeMap<&'static str, Option<String>>,
-    /// Whether edits are mirrored to the other side of the face.
-    pub mirror: bool,
-    /// Whether edits are limited to the influence radius.
-    pub nearby: bool,
     /// Influence radius, in mm.
     pub radius_mm: f64,
 
@@ -59,8 +51,6 @@ pub struct State {
     /// Weight of each expression, 0..=1, with the edit in progress.
     pub weights: BTreeMap<&'static str, f64>,
 
-    /// Whether the history contains entries in force that moved the selection.
-    pub can_reset_selection: bool,
     /// Whether there is a change to undo.
     pub can_undo: bool,
     /// Whether there is an undone change to redo.
@@ -70,20 +60,12 @@ pub struct State {
 
     /// Whether edges are shown.
     pub wireframe: bool,
-    /// Whether anchors are marked.
-    pub anchors_marked: bool,
     /// Whether the original face is shown next to the edited one.
     pub is_wiping: bool,
-    /// Whether the light also affects the photo.
-    pub photo_lit: bool,
-    /// Whether all landmarks are shown as dots.
-    pub dots: bool,
     /// Whether the face rotates automatically.
     pub turntable: bool,
     /// The light.
     pub light: LightSettings,
-    /// The uniform background colour, sRGB; none for the theme's background.
-    pub background: Option<[u8; 3]>,
 
     /// The photos of the face, in the order in which they were added.
     pub photos: Vec<PhotoState>,
@@ -93,20 +75,10 @@ pub struct State {
     pub photo_lens: Option<String>,
     /// Lens by the lead photo's own data.
     pub found_lens: Option<String>,
-    /// Width and height of the upright lead photo, in px.
-    pub photo_size_px: Option<[u32; 2]>,
     /// Falloff band around the face in its photo, as a share of the face's longer side.
     pub falloff_band: f64,
-    /// Distance from which the photo is shown, in metres; infinite for a parallel projection.
-    pub seen_from_m: f64,
-    /// Whether that is the original distance.
-    pub is_as_taken: bool,
     /// Radius of the brush in CSS px, if it is in use.
     pub brush_px: Option<f64>,
-    /// Number of strokes that protect the photo.
-    pub stroke_count: usize,
-    /// Whether there is an undone stroke to redo.
-    pub can_redo_stroke: bool,
 
     /// Settings and view as text, for [`Intent::RestorePreferences`](crate::Intent::RestorePreferences).
     pub preferences: String,
@@ -127,48 +99,37 @@ pub struct PhotoState {
 }
 
 impl Session {
-    /// Returns the state for panels.
+    /// Returns the state.
     pub fn state(&self) -> State {
-        let (options, view, settings) = (self.edit_options(), self.view(), self.stage().render_settings());
+        let (view, settings) = (self.view(), self.stage().render_settings());
         State {
             selectable: self.face().map_or(LANDMARK_COUNT, |face| face.selectable_count(self.mode())),
             name: self.selection_name(),
             is_dragging: self.is_dragging(),
             chosen: Choice::ALL.map(|choice| (choice.id(), self.chosen(choice))).into(),
-            mirror: options.mirror == Mirror::On,
-            nearby: options.is_nearby,
-            radius_mm: options.radius_mm,
+            radius_mm: self.edit_options().radius_mm,
             tick: self.tick(),
             wireframe: view.wireframe == Visibility::Shown,
-            anchors_marked: view.anchors == Switch::On,
             is_wiping: settings.wipe.is_some(),
-            photo_lit: settings.picture_light == PictureLight::Lamp,
-            dots: settings.dots == Dots::All,
             turntable: view.turntable == Turntable::Turns,
             light: settings.light.into(),
-            background: match view.background {
-                Background::Plain(Srgb(colour)) => Some(colour),
-                Background::Ground | Background::Transparent => None,
-            },
             falloff_band: view.falloff_band,
             brush_px: self.brush_px(),
             preferences: self.preferences(),
-            ..self.face().map_or_else(State::without_face, |face| face.state(options))
+            ..self.face().map_or_else(State::default, OpenFace::state)
         }
     }
 }
 
 impl OpenFace {
     /// The part of the state that depends on the face alone.
-    fn state(&self, edit_options: &EditOptions) -> State {
-        let (document, history, photo) = (self.document(), self.document().history(), self.photo());
+    fn state(&self) -> State {
+        let (document, history) = (self.document(), self.document().history());
         let weights = self.weights();
         State {
             vertex_count: document.topology().vertex_count(),
             selected: self.selection().map(Selection::centre),
             is_pinned: self.is_pinned(),
-            can_mirror: self.can_mirror(),
-            lies_in_plane: self.lies_in_plane(edit_options),
             leaves_plane: self.leaves_plane(),
             is_sliding: self.is_sliding(),
             is_refused: self.refusal().is_some(),
@@ -176,7 +137,6 @@ impl OpenFace {
             offset_mm: self.offset_mm().to_array(),
             sliders_mm: FaceSlider::ALL.map(|slider| (slider.id(), self.slider_mm(slider))).into(),
             weights: Expression::ALL.map(|expression| (expression.id(), weights[expression as usize])).into(),
-            can_reset_selection: self.can_reset_selection(),
             can_undo: history.can_undo(),
             can_redo: history.can_redo(),
             entry_count: history.entries().len(),
@@ -184,19 +144,8 @@ impl OpenFace {
             missing_turns: self.missing_turns().into_iter().map(Turn::id).collect(),
             photo_lens: Some(self.model().lens().to_string()),
             found_lens: Some(self.found_lens().to_string()),
-            photo_size_px: Some(self.model().photo_size_px()),
-            seen_from_m: self.seen_by().distance_m,
-            is_as_taken: photo.seen_from_m().is_none(),
-            stroke_count: photo.strokes().count(),
-            can_redo_stroke: photo.strokes().can_redo(),
-            ..State::without_face()
+            ..State::default()
         }
-    }
-}
-
-impl State {
-    fn without_face() -> Self {
-        Self { can_mirror: true, seen_from_m: f64::INFINITY, ..Self::default() }
     }
 }
 

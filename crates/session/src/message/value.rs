@@ -35,8 +35,8 @@ macro_rules! flags {
     };
 }
 
-/// A setting with two values.
-pub(crate) fn of<T: Flag>(on: bool) -> T {
+/// The value of a setting with two values.
+pub(crate) fn switched<T: Flag>(on: bool) -> T {
     if on { T::ON } else { T::OFF }
 }
 
@@ -116,7 +116,7 @@ fn named<T: Named, E: Error>(id: &str) -> Result<T, E> {
 }
 
 pub(crate) fn flag<'de, T: Flag, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
-    Ok(of(bool::deserialize(from)?))
+    Ok(switched(bool::deserialize(from)?))
 }
 
 pub(crate) fn point<'de, D: Deserializer<'de>>(from: D) -> Result<DVec2, D::Error> {

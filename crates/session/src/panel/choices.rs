@@ -1,4 +1,5 @@
-use super::widget::{ChoiceLook, Control, Widget, choice};
+use super::build::choice;
+use super::widget::{ChoiceLook, Control, Widget};
 use crate::{Choice, Intent, Session};
 
 impl Session {

@@ -1,96 +1,78 @@
 use rosto::{EditsAs, ExpressionsAs, FileOptions};
-use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material, SOLID_MM, Solid, Units};
+use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material};
+use rosto_mesh::Named;
 
+use super::build::{check, choice, group, help, page_button, slot, text};
 use super::name::word;
-use super::widget::{
-    ChoiceLook, Control, GroupLook, Tone, Widget, check, choice, group, help, page_button, slider, slot, text,
-};
-use super::{Part, Phrase};
+use super::widget::{ChoiceLook, Control, GroupLook, Tone, Widget};
+use super::{Part, Phrase, print};
 use crate::files::{File, Outcome};
-use crate::{Choice, Intent, Range, Session};
-
-/// Rounding below this is not visible, in mm.
-const VISIBLE_MM: f64 = 0.05;
+use crate::{Choice, Intent, Session};
 
 /// Files and pictures of the face.
 pub(super) fn section(session: &Session) -> Widget {
+    let others = [print::fold(session), photo(session), other_formats(session)].into_iter().chain(pictures(session));
+    let project = [page_button("save-project", "work.save"), help("work.help")];
+    let widgets = glb(session).into_iter().chain(others).chain(project).collect();
+    group("section.export", GroupLook::Plain, widgets).on("export")
+}
+
+/// The GLB: its options, name, size and verdict.
+fn glb(session: &Session) -> Vec<Widget> {
     let now = session.files.options;
-    let glb = vec![
-        option("base-colour", now.base_colour, BaseColour::id, &BaseColour::ALL, move |base_colour| FileOptions {
-            base_colour,
-            ..now
-        }),
+    let actions = vec![
+        page_button("check-glb", "export.check"),
+        page_button("share-glb", "export.share").hidden(!session.files.abilities.shares_models),
+    ];
+    let shape_or_targets = [ExpressionsAs::Shape, ExpressionsAs::MorphTargets];
+    vec![
+        option("base-colour", now, |options| &mut options.base_colour),
         session.setting("texture-size", Choice::TextureSize, ChoiceLook::List),
         session.setting("export.density", Choice::Density, ChoiceLook::List).labelled("density".into()).expert(),
-        switch("export.unlit", now.material == Material::Unlit, move |on| FileOptions {
-            material: if on { Material::Unlit } else { Material::Lit },
-            ..now
-        }),
-        switch("export.morphs", now.edits == EditsAs::MorphTargets, move |on| FileOptions {
-            edits: if on { EditsAs::MorphTargets } else { EditsAs::Shape },
-            ..now
-        }),
-        switch("export.expressions", now.expressions == ExpressionsAs::MorphTargets, move |on| FileOptions {
-            expressions: if on { ExpressionsAs::MorphTargets } else { ExpressionsAs::Shape },
-            ..now
-        }),
-        switch("export.eyes", now.eyes == Eyes::Pieces, move |on| FileOptions {
-            eyes: if on { Eyes::Pieces } else { Eyes::Skin },
-            ..now
-        }),
+        switch("export.unlit", now, |options| &mut options.material, [Material::Lit, Material::Unlit]),
+        switch("export.morphs", now, |options| &mut options.edits, [EditsAs::Shape, EditsAs::MorphTargets]),
+        switch("export.expressions", now, |options| &mut options.expressions, shape_or_targets),
+        switch("export.eyes", now, |options| &mut options.eyes, [Eyes::Skin, Eyes::Pieces]),
         facts(session),
-        group(
-            "export.glb",
-            GroupLook::Row,
-            vec![
-                page_button("check-glb", "export.check"),
-                page_button("share-glb", "export.share").hidden(!session.files.abilities.shares_models),
-            ],
-        ),
+        group("export.glb", GroupLook::Row, actions),
         verdict(session),
         slot("export.ar"),
         help("export.scale"),
-        print(session),
-    ];
-    let others = [photo(session), other_formats(session)].into_iter().chain(pictures(session));
-    let project = [page_button("save-project", "work.save"), help("work.help")];
-    group("section.export", GroupLook::Plain, glb.into_iter().chain(others).chain(project).collect()).on("export")
+    ]
 }
 
-/// A choice between the values of a file option.
-fn option<T: Copy + PartialEq + 'static>(
-    id: &'static str,
-    chosen: T,
-    ids: fn(T) -> &'static str,
-    all: &'static [T],
-    set: impl Fn(T) -> FileOptions + 'static,
-) -> Widget {
-    let options = all.iter().map(|&value| ids(value).to_owned()).collect();
-    let control = Control::Choice {
-        name: id,
-        options,
-        expert: &[],
-        chosen: Some(ids(chosen).to_owned()),
-        look: ChoiceLook::Segments,
-    };
-    choice(id, control, move |id| {
-        let value = all.iter().copied().find(|&value| ids(value) == id)?;
-        Some(Intent::FileOptions(set(value)))
-    })
+/// The place of an option.
+type Field<T> = fn(&mut FileOptions) -> &mut T;
+
+fn set<T>(mut options: FileOptions, field: Field<T>, value: T) -> Intent {
+    *field(&mut options) = value;
+    Intent::FileOptions(options)
 }
 
-/// A switch between two values of a file option.
-fn switch(id: &'static str, is_on: bool, set: impl Fn(bool) -> FileOptions + 'static) -> Widget {
-    check(id, is_on, move |is_on| Intent::FileOptions(set(is_on))).expert()
+/// A choice between the values of an option.
+fn option<T: Named + 'static>(id: &'static str, mut now: FileOptions, field: Field<T>) -> Widget {
+    let options = T::ALL.iter().map(|value| value.id().to_owned()).collect();
+    let chosen = Some(field(&mut now).id().to_owned());
+    let control = Control::Choice { name: id, options, expert: &[], chosen, look: ChoiceLook::Segments };
+    choice(id, control, move |id| Some(set(now, field, T::from_id(&id)?)))
+}
+
+/// A switch between two values of an option.
+fn switch<T>(id: &'static str, mut now: FileOptions, field: Field<T>, [off, on]: [T; 2]) -> Widget
+where
+    T: Copy + PartialEq + 'static,
+{
+    let is_on = *field(&mut now) == on;
+    check(id, is_on, move |is_on| set(now, field, if is_on { on } else { off })).expert()
 }
 
 /// Name, size and content of the GLB.
 fn facts(session: &Session) -> Widget {
     let size = match session.files.file {
         File::Made { bytes, .. } => size(bytes),
-        _ => Phrase::word("amount.none"),
+        _ => Phrase::verbatim(""),
     };
-    let name = Phrase::word("export.name").with("name", session.file_name(Format::Glb.id()));
+    let name = Phrase::verbatim(session.file_name(Format::Glb.id()));
     let [points, triangles] =
         session.face().map(|face| face.mesh_counts(session.files.options.has_pieces(Format::Glb))).unwrap_or_default();
     let holds = Phrase::word("export.holds").with("format", "GLB".to_owned()).with("points", points);
@@ -148,86 +130,16 @@ fn verdict(session: &Session) -> Widget {
     text("verdict", Some(counts.fold(phrase, |phrase, (name, count)| phrase.number(name, count.into(), 0))), tone)
 }
 
-/// Formats for 3D printing: the body and its measures.
-fn print(session: &Session) -> Widget {
-    let files = &session.files;
-    let solid = files.options.solid;
-    let [min, max] = SOLID_MM;
-    let range = |neutral| Range { min, max, step: 0.1, neutral };
-    let now = files.options;
-    let set = move |solid| Intent::FileOptions(FileOptions { solid, ..now });
-    let rows = files.body.facts.iter().flat_map(|body| {
-        let [x, y, z] = body.size_mm;
-        let size = Phrase::word("amount.size").number("x", x, 0).number("y", y, 0).number("z", z, 0);
-        let rounded =
-            (body.moved_mm >= VISIBLE_MM).then(|| (word("print", "rounded"), amount("amount.mm", body.moved_mm, 1)));
-        let rows = [
-            (word("print", "size"), size),
-            (word("print", "volume"), amount("amount.cm3", body.volume_cm3, 1)),
-            (word("print", "weight"), amount("amount.g", body.pla_grams, 0)),
-            (word("print", "thinnest"), amount("amount.mm", body.thinnest_mm, 1)),
-        ];
-        rows.into_iter().chain(rounded)
-    });
-    let kinds = [
-        ("thickness", Solid::Thickness { mm: files.thickness_mm }),
-        ("flat", Solid::FlatBack { mm: files.back_mm }),
-        ("surface", Solid::Surface),
-    ];
-    let chosen = kinds.iter().find(|(_, kind)| *kind == solid).map(|(id, _)| (*id).to_owned());
-    let options = kinds.iter().map(|(id, _)| (*id).to_owned()).collect();
-    let kind = choice(
-        "solid",
-        Control::Choice { name: "solid", options, expert: &[], chosen, look: ChoiceLook::Segments },
-        move |id| {
-            let solid = kinds.iter().find(|(kind, _)| *kind == id)?.1;
-            Some(set(solid))
-        },
-    );
-    group(
-        "print",
-        GroupLook::Fold,
-        vec![
-            kind,
-            slider("solid.thickness.mm", range(2.0), "mm", files.thickness_mm, move |mm| set(Solid::Thickness { mm }))
-                .hidden(!matches!(solid, Solid::Thickness { .. })),
-            slider("solid.flat.mm", range(3.0), "mm", files.back_mm, move |mm| set(Solid::FlatBack { mm }))
-                .hidden(!matches!(solid, Solid::FlatBack { .. })),
-            Widget::new("print.facts", Control::Facts { rows: rows.collect() }).enabled(!files.body.is_stale),
-            text("print.error", body_error(session), Tone::Error),
-            formats("print.formats", |format| format.supports(ExportOption::Solid)),
-            formats_help("print.help", |format| format.supports(ExportOption::Solid)),
-        ],
-    )
-}
-
-fn amount(key: &'static str, value: f64, decimals: u8) -> Phrase {
-    Phrase::word(key).number("n", value, decimals)
-}
-
-/// Why the body cannot be made, with an allowed length if there is one.
-fn body_error(session: &Session) -> Option<Phrase> {
-    let error = session.files.body.error.as_ref()?;
-    // Rounded down so that the suggested length works.
-    let works_mm = (10.0 * error.max_mm.unwrap_or_default()).floor() / 10.0;
-    if works_mm >= SOLID_MM[0] {
-        return Some(Phrase::word("print.at-most").number("most", works_mm, 1));
-    }
-    let reason = word("error", &error.code);
-    let hint = Phrase::word(format!("error.{}.hint", error.code));
-    Some(Phrase::word("print.error").with("reason", reason).with("hint", hint))
-}
-
-fn formats(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
+pub(super) fn formats(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
     let button = |format: Format| {
-        let name = Phrase::word("format.name").with("name", format.id().to_uppercase());
+        let name = Phrase::verbatim(format.id().to_ascii_uppercase());
         page_button(format!("download-{}", format.id()), name)
     };
     group(id, GroupLook::Row, Format::ALL.into_iter().filter(|&format| is_listed(format)).map(button).collect())
 }
 
 /// Contents of the formats, one sentence each.
-fn formats_help(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
+pub(super) fn formats_help(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
     let texts = Format::ALL.into_iter().filter(|&format| is_listed(format));
     let texts: Vec<Phrase> = texts.map(|format| Phrase::word(format!("format.{}.help", format.id()))).collect();
     let joined = texts.into_iter().reduce(|before, next| {
@@ -261,7 +173,6 @@ fn photo(session: &Session) -> Widget {
 
 /// Formats without separate options, and JSON.
 fn other_formats(session: &Session) -> Widget {
-    let now = session.files.options;
     let is_plain = |format: Format| {
         let own = [ExportOption::Material, ExportOption::Units, ExportOption::Solid];
         !own.into_iter().any(|option| format.supports(option))
@@ -272,8 +183,7 @@ fn other_formats(session: &Session) -> Widget {
         vec![
             formats("export.formats", is_plain),
             formats_help("export.formats.help", is_plain),
-            option("export.units", now.units, Units::id, &Units::ALL, move |units| FileOptions { units, ..now })
-                .expert(),
+            option("export.units", session.files.options, |options| &mut options.units).expert(),
             page_button("download-json", "export.json").expert(),
         ],
     )

@@ -1,12 +1,12 @@
 use rosto_studio::{Expression, Mirror};
 
-use super::Phrase;
+use super::build::{button, check, group, slider};
 use super::name::word;
-use super::widget::{GroupLook, Widget, button, check, group, slider};
-use crate::message::value::of;
+use super::widget::{GroupLook, Widget};
+use super::{PER_CENT, Phrase};
+use crate::message::value::switched;
 use crate::{Intent, Range, Session};
 
-const PER_CENT: f64 = 100.0;
 const WEIGHT: Range = Range { min: 0.0, max: PER_CENT, step: 1.0, neutral: 0.0 };
 
 /// Areas of the face: key of the name, and prefixes of the expressions' ids.
@@ -25,7 +25,7 @@ const SIDEWAYS: [Expression; 4] =
 /// Expression sliders, by area of the face.
 pub(super) fn section(session: &Session) -> Widget {
     let mirror = session.edit_options().mirror;
-    let both = check("expressions.both", mirror == Mirror::On, |on| Intent::Mirror(of(on)));
+    let both = check("expressions.both", mirror == Mirror::On, |on| Intent::Mirror(switched(on)));
     let areas = AREAS.map(|(id, prefixes)| {
         let is_there = |expression: &Expression| prefixes.iter().any(|prefix| expression.id().starts_with(prefix));
         let sliders = Expression::ALL.into_iter().filter(is_there).map(|one| weight(session, one)).collect();

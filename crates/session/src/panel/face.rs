@@ -1,17 +1,18 @@
 use rosto_studio::FaceSlider;
 
-use super::Phrase;
-use super::widget::{GroupLook, Widget, button, group, slider};
+use super::build::{button, group, slider};
+use super::name::word;
+use super::widget::{GroupLook, Widget};
+use super::{PER_CENT, Phrase};
 use crate::open_face::MM_PER_M;
+use crate::panel_state::SYMMETRY_SHARE;
 use crate::{Intent, Range, Session};
 
 /// Change of a ready-made slider per key press, in mm.
 const STEP_MM: f64 = 0.1;
 
-const PER_CENT: f64 = 100.0;
-
 /// Range of the share by which a face is made symmetric, in per cent.
-const SYMMETRY: Range = Range { min: 1.0, max: PER_CENT, step: 1.0, neutral: 50.0 };
+const SYMMETRY: Range = Range { min: 1.0, max: PER_CENT, step: 1.0, neutral: PER_CENT * SYMMETRY_SHARE };
 
 /// The ready-made sliders, and symmetry.
 pub(super) fn section(session: &Session) -> Widget {
@@ -46,12 +47,12 @@ fn proportion(session: &Session, face_slider: FaceSlider) -> Widget {
 }
 
 /// Range of a ready-made slider.
-pub(crate) fn range_mm(slider: FaceSlider) -> Range {
+fn range_mm(slider: FaceSlider) -> Range {
     let max = slider.range_m() * MM_PER_M;
     Range { min: -max, max, step: STEP_MM, neutral: 0.0 }
 }
 
 /// Speech after a commit of a ready-made slider.
 pub(crate) fn slid(slider: FaceSlider, mm: f64) -> Phrase {
-    Phrase::word("face.slid").with("name", super::name::word("slider", slider.id())).number("mm", mm, 1)
+    Phrase::word("face.slid").with("name", word("slider", slider.id())).number("mm", mm, 1)
 }

@@ -1,9 +1,10 @@
 use rosto_studio::EntryStatus;
 
 use super::Phrase;
+use super::build::{button, check, group, help, text};
 use super::name::word;
-use super::widget::{GroupLook, Tone, Widget, button, check, group, help, text};
-use crate::message::value::of;
+use super::widget::{GroupLook, Tone, Widget};
+use crate::message::value::switched;
 use crate::rows::Row;
 use crate::{Intent, OpenFace, Session};
 
@@ -47,7 +48,7 @@ fn entry(session: &Session, row: &Row) -> Widget {
     let is_on = row.status != EntryStatus::Off;
     let amount = Phrase::word(if row.unit == "%" { "amount.share" } else { "amount.mm" });
     let decimals = if row.unit == "%" { 0 } else { 1 };
-    let row_check = check(format!("entry.{index}"), is_on, move |on| Intent::Switch(index, of(on)));
+    let row_check = check(format!("entry.{index}"), is_on, move |on| Intent::Switch(index, switched(on)));
     let noted = row_check.labelled(session.name_of(row.target)).noted(amount.number("n", row.amount, decimals));
     match &row.status {
         EntryStatus::Waits { level } => {

@@ -1,9 +1,7 @@
-use super::Phrase;
-use super::widget::{GroupLook, Tone, Widget, button, check, group, help, slider, text};
+use super::build::{button, check, group, help, slider, text};
+use super::widget::{GroupLook, Tone, Widget};
+use super::{CM_PER_M, PER_CENT, Phrase};
 use crate::{BRUSH_PX, FALLOFF_BAND, Intent, OpenFace, Range, Session};
-
-const PER_CENT: f64 = 100.0;
-const CM_PER_M: f64 = 100.0;
 
 /// Range of the viewing distance, in cm. Selfies are not taken from closer; farther, no change is visible.
 const SEEN_FROM_CM: Range = Range { min: 20.0, max: 300.0, step: 1.0, neutral: 150.0 };

@@ -1,8 +1,9 @@
 use rosto_studio::Switch;
 
+use super::build::{check, group, slot};
 use super::selection::anchors;
-use super::widget::{ChoiceLook, GroupLook, Widget, check, group, slot};
-use crate::message::value::of;
+use super::widget::{ChoiceLook, GroupLook, Widget};
+use crate::message::value::switched;
 use crate::{Choice, Intent, Session};
 
 /// Settings of the solver, and the paper's experiment.
@@ -16,7 +17,7 @@ pub(super) fn section(session: &Session) -> Widget {
             session.setting("details", Choice::Details, ChoiceLook::List),
             session.setting("anchors", Choice::Anchors, ChoiceLook::List),
             anchors(session),
-            check("anchors.shown", session.view().anchors == Switch::On, |on| Intent::MarkAnchors(of(on))),
+            check("anchors.shown", session.view().anchors == Switch::On, |on| Intent::MarkAnchors(switched(on))),
             group("section.paper", GroupLook::Fold, vec![slot("paper")]),
         ],
     )

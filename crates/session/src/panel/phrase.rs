@@ -31,6 +31,11 @@ impl Phrase {
         Self { key: key.into(), values: Vec::new() }
     }
 
+    /// A text that is the same in all languages.
+    pub fn verbatim(text: impl Into<String>) -> Self {
+        Self::word("verbatim").with("text", text.into())
+    }
+
     /// Sets the value of a placeholder.
     pub fn with(mut self, name: &'static str, value: impl Into<Part>) -> Self {
         self.values.push((name, value.into()));

@@ -3,11 +3,10 @@ use rosto_laplacian::LaplacianError;
 use rosto_studio::{Mirror, StudioError};
 
 use super::Phrase;
-use super::widget::{
-    ChoiceLook, Control, GroupLook, Tone, Widget, button, check, choice, group, help, slider, slot, text,
-};
+use super::build::{button, check, choice, group, help, slider, slot, text};
+use super::widget::{ChoiceLook, Control, GroupLook, Tone, Widget};
 use crate::edit_options::{RADIUS_MM, SLIDER_MM};
-use crate::message::value::of;
+use crate::message::value::switched;
 use crate::{Choice, Intent, OpenFace, Selection, SelectionMode, Session};
 
 /// Selecting a part of the face and moving it.
@@ -31,7 +30,7 @@ pub(super) fn section(session: &Session) -> Widget {
             session.setting("preset", Choice::Preset, ChoiceLook::Segments).expert(),
             mirror(session),
             help("edit.mirror.none").hidden(can_mirror(session)),
-            check("edit.nearby", session.edit_options().is_nearby, |on| Intent::Nearby(of(on))),
+            check("edit.nearby", session.edit_options().is_nearby, |on| Intent::Nearby(switched(on))),
             radius(session),
             pin(session),
         ],
@@ -97,7 +96,7 @@ fn can_mirror(session: &Session) -> bool {
 
 fn mirror(session: &Session) -> Widget {
     let is_on = session.edit_options().mirror == Mirror::On;
-    check("edit.mirror", is_on, |on| Intent::Mirror(of(on))).enabled(can_mirror(session))
+    check("edit.mirror", is_on, |on| Intent::Mirror(switched(on))).enabled(can_mirror(session))
 }
 
 fn radius(session: &Session) -> Widget {
@@ -107,7 +106,7 @@ fn radius(session: &Session) -> Widget {
 
 fn pin(session: &Session) -> Widget {
     let face = session.face();
-    let pin = check("edit.pin", face.is_some_and(OpenFace::is_pinned), |on| Intent::Pin(of(on))).expert();
+    let pin = check("edit.pin", face.is_some_and(OpenFace::is_pinned), |on| Intent::Pin(switched(on))).expert();
     pin.noted("edit.pin.how").enabled(face.is_some_and(|face| face.selection().is_some()))
 }
 

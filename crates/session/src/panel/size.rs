@@ -1,14 +1,13 @@
 use rosto_face::{LANDMARK_COUNT, Measure, PhotoLens};
 use rosto_studio::EditTarget;
 
-use super::Phrase;
+use super::build::{button, group, slider, text};
 use super::name::word;
-use super::widget::{Control, GroupLook, Tone, Widget, button, group, slider, text};
+use super::widget::{Control, GroupLook, Tone, Widget};
+use super::{CM_PER_M, Phrase};
 use crate::open_face::MM_PER_M;
 use crate::panel_state::Tape;
 use crate::{Intent, OpenFace, Range, Session};
-
-const CM_PER_M: f64 = 100.0;
 
 /// Range of the distance from which the photo was taken, in cm.
 const DISTANCE_CM: Range = Range { min: 15.0, max: 300.0, step: 1.0, neutral: 50.0 };

@@ -1,4 +1,4 @@
-use super::{Phrase, moved, shown, slid};
+use super::{PER_CENT, Phrase, moved, shown, slid};
 use crate::selection::Moving;
 use crate::{Intent, OpenFace, Session};
 
@@ -18,7 +18,7 @@ impl Session {
                 Some(Phrase::word("was-reset.one").with("name", name))
             }
             Intent::ResetExpressions => Some(Phrase::word("expressions.rested")),
-            Intent::Symmetrise(share) => Some(Phrase::word("symmetrised").number("n", 100.0 * share, 0)),
+            Intent::Symmetrise(share) => Some(Phrase::word("symmetrised").number("n", PER_CENT * share, 0)),
             _ => None,
         }
     }

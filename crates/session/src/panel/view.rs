@@ -1,10 +1,10 @@
 use rosto_stage::{Background, Dots, NamedView, PictureLight, ShadingMode, Srgb, Visibility};
 
-use super::widget::{ChoiceLook, GroupLook, Widget, button, check, colour, group, slider, slot};
-use crate::message::value::of;
+use super::PER_CENT;
+use super::build::{button, check, colour, group, slider, slot};
+use super::widget::{ChoiceLook, GroupLook, Widget};
+use crate::message::value::switched;
 use crate::{Choice, Intent, LightSettings, Range, Session, Turntable};
-
-const PER_CENT: f64 = 100.0;
 
 /// Background when it is first made plain.
 const GREY: [u8; 3] = [128; 3];
@@ -24,9 +24,9 @@ pub(super) fn section(session: &Session) -> Widget {
         vec![
             session.setting_for("shading", Choice::Shading, ChoiceLook::ByThree, technical),
             session.setting("texture-source", Choice::TextureSource, ChoiceLook::Segments),
-            check("view.wireframe", view.wireframe == Visibility::Shown, |on| Intent::Wireframe(of(on))),
-            check("view.dots", settings.dots == Dots::All, |on| Intent::Dots(of(on))),
-            check("view.turntable", view.turntable == Turntable::Turns, |on| Intent::Turntable(of(on))),
+            check("view.wireframe", view.wireframe == Visibility::Shown, |on| Intent::Wireframe(switched(on))),
+            check("view.dots", settings.dots == Dots::All, |on| Intent::Dots(switched(on))),
+            check("view.turntable", view.turntable == Turntable::Turns, |on| Intent::Turntable(switched(on))),
             session.setting("lens", Choice::Lens, ChoiceLook::ByTwo),
             session.setting("triangulation", Choice::Triangulation, ChoiceLook::List),
             session.setting("density", Choice::Density, ChoiceLook::List).expert(),
@@ -88,7 +88,7 @@ fn light(session: &Session) -> Vec<Widget> {
         colour("light.colour", now.colour, move |colour| Intent::Light(LightSettings { colour, ..now }.into())),
     ];
     vec![
-        check("light.photo", is_lit, |on| Intent::PictureLight(of(on))).hidden(!is_photo),
+        check("light.photo", is_lit, |on| Intent::PictureLight(switched(on))).hidden(!is_photo),
         group("light.lamp", GroupLook::Lines, lamp).enabled(!is_photo || is_lit),
     ]
 }

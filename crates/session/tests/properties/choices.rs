@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rosto_export::{BaseColour, TextureSize};
 use rosto_face::{LANDMARK_COUNT, Region, landmark_id, part_id};
-use rosto_session::{Choice, Intent, Session, formats};
+use rosto_session::{Choice, Intent, Session};
 use rosto_studio::{Expression, FaceSlider};
 
 use crate::faces::session;
@@ -79,8 +79,6 @@ fn named() -> Vec<String> {
     let regions = Region::ALL.into_iter().map(|region| format!("region.{}", region.id()));
     let expressions = Expression::ALL.into_iter().map(|expression| format!("expression.{}", expression.id()));
     let sliders = FaceSlider::ALL.into_iter().map(|slider| format!("slider.{}", slider.id()));
-    let formats = formats().into_iter().filter(|facts| facts.is_plain || facts.is_printed);
-    let formats = formats.map(|facts| format!("format.{}.help", facts.id));
     let of_files = [
         BaseColour::ALL.map(|one| format!("base-colour.{}", one.id())).to_vec(),
         TextureSize::ALL.map(|one| format!("texture-size.{}", one.id())).to_vec(),
@@ -88,7 +86,7 @@ fn named() -> Vec<String> {
     ]
     .concat();
     let of_face = landmarks.chain(near).chain(regions).chain(sliders).chain(expressions);
-    chosen.chain(of_face).chain(formats).chain(of_files).collect()
+    chosen.chain(of_face).chain(of_files).collect()
 }
 
 /// The page's languages, with their words.

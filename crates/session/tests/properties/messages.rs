@@ -185,7 +185,6 @@ fn messages_name_their_fields_in_camel_case() {
     let catalogue = serde_json::to_value(Catalogue::default()).unwrap();
     assert_eq!((&catalogue["landmarks"][1], &catalogue["radius"]["neutral"]), (&json!("nose-tip"), &json!(25.0)));
     for choice in Choice::ALL {
-        assert_eq!(catalogue["choices"][choice.id()], json!(choice.values()));
         let chosen = &state["chosen"][choice.id()];
         assert!(chosen.is_null() || choice.values().iter().any(|id| chosen == id), "{choice:?}: {chosen}");
     }

@@ -58,32 +58,32 @@ fn text(words: &Words, phrase: &Phrase) -> String {
     text
 }
 
-/// The panel as text, as a front end without a browser would show it.
+/// The panel as text, also its hidden widgets.
 fn rendered(words: &Words, widgets: &[Widget], depth: usize) -> String {
     let line = |widget: &Widget| {
         let label = widget.label.clone().unwrap_or_else(|| Phrase::word(widget.id.clone()));
-        let label = |looks: bool| if looks { text(words, &label) } else { String::new() };
+        let label = || text(words, &label);
         let option = |name: &str, id: &str| text(words, &Phrase::word(format!("{name}.{id}")));
         let shown = match &widget.control {
             Control::Group { look, widgets, .. } => {
-                let title = label(true);
                 return format!(
-                    "{title}\n{}",
+                    "{}\n{}",
+                    label(),
                     rendered(words, widgets, depth + usize::from(*look != GroupLook::Plain))
                 );
             }
-            Control::Slider { value, unit, .. } => format!("{}: {value:.1} {unit}", label(true)),
+            Control::Slider { value, unit, .. } => format!("{}: {value:.1} {unit}", label()),
             Control::Check { on, notes } => {
                 let notes: String = notes.iter().map(|note| format!(" ({})", text(words, note))).collect();
-                format!("[{}] {}{notes}", if *on { "x" } else { " " }, label(true))
+                format!("[{}] {}{notes}", if *on { "x" } else { " " }, label())
             }
             Control::Choice { name, options, chosen, .. } => {
                 let names: Vec<String> = options.iter().map(|id| option(name, id)).collect();
                 let chosen = chosen.as_ref().map(|id| option(name, id));
-                format!("{}: {} of {}", label(true), chosen.unwrap_or_default(), names.join(", "))
+                format!("{}: {} of {}", label(), chosen.unwrap_or_default(), names.join(", "))
             }
-            Control::Colour { rgb } => format!("{}: {rgb:?}", label(true)),
-            Control::Button { .. } => format!("<{}>", label(true)),
+            Control::Colour { rgb } => format!("{}: {rgb:?}", label()),
+            Control::Button { .. } => format!("<{}>", label()),
             Control::Text { phrase, .. } => phrase.as_ref().map(|phrase| text(words, phrase)).unwrap_or_default(),
             Control::Facts { rows } => {
                 rows.iter().map(|(name, value)| format!("{} = {}; ", text(words, name), text(words, value))).collect()
@@ -92,8 +92,7 @@ fn rendered(words: &Words, widgets: &[Widget], depth: usize) -> String {
         };
         format!("{shown}\n")
     };
-    let visible = widgets.iter().filter(|widget| !widget.is_hidden);
-    visible.map(|widget| format!("{}{}", "  ".repeat(depth), line(widget))).collect()
+    widgets.iter().map(|widget| format!("{}{}", "  ".repeat(depth), line(widget))).collect()
 }
 
 #[test]
@@ -166,7 +165,7 @@ fn another_value(widget: &Widget, share: f64) -> Option<Value> {
 
 fn is_close(one: &Value, other: &Value) -> bool {
     match (one, other) {
-        (Value::Number(one), Value::Number(other)) => (one - other).abs() < 1e-6,
+        (Value::Number(one), Value::Number(other)) => (one - other).abs() < 1e-6 * other.abs().max(1.0),
         _ => one == other,
     }
 }
@@ -183,12 +182,7 @@ fn a_widget_shows_the_value_that_was_set() {
         else {
             continue;
         };
-        let done = session.apply(Intent::Set(id.clone(), value.clone()));
-        // A camera at another distance shows another face.
-        if id == "size.distance" {
-            continue;
-        }
-        done.unwrap_or_else(|error| panic!("{id}: {error}"));
+        session.apply(Intent::Set(id.clone(), value.clone())).unwrap_or_else(|error| panic!("{id}: {error}"));
         let shown = find(&session).and_then(|widget| value_of(&widget)).unwrap();
         assert!(is_close(&shown, &value), "{id} shows {shown:?} instead of {value:?}");
         set += 1;

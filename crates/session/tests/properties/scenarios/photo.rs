@@ -161,7 +161,7 @@ fn strokes_protect_the_photo_and_have_separate_undo() {
     act(&mut session, Intent::Brush(Some(20.0)));
     paint(&mut session, corner);
     assert_eq!(shape(&session), edited, "the mesh does not change");
-    assert_eq!(state(&session).stroke_count, 1);
+    assert_eq!(face(&session).photo().strokes().count(), 1);
     session.update_photo_warp();
     let found = found_px(&session, MOUTH_CORNER);
     let moved = |session: &Session| {
@@ -171,7 +171,7 @@ fn strokes_protect_the_photo_and_have_separate_undo() {
     };
     assert_eq!(moved(&session), 0.0);
     act(&mut session, Intent::Undo);
-    assert_eq!((state(&session).stroke_count, state(&session).can_redo_stroke), (0, true));
+    assert_eq!((face(&session).photo().strokes().count(), face(&session).photo().strokes().can_redo()), (0, true));
     assert_eq!(shape(&session), edited, "with the brush, undo removes a stroke");
     session.update_photo_warp();
     assert!(moved(&session) > 0.3);
@@ -179,9 +179,9 @@ fn strokes_protect_the_photo_and_have_separate_undo() {
     act(&mut session, Intent::Brush(None));
     act(&mut session, Intent::Undo);
     assert_ne!(shape(&session), edited);
-    assert_eq!(state(&session).stroke_count, 1);
+    assert_eq!(face(&session).photo().strokes().count(), 1);
     act(&mut session, Intent::ClearStrokes);
-    assert_eq!(state(&session).stroke_count, 0);
+    assert_eq!(face(&session).photo().strokes().count(), 0);
 }
 
 #[test]
@@ -218,7 +218,7 @@ fn the_brush_paints_only_within_the_photo() {
         act(&mut session, Intent::Press(place, Pointer::Fine));
         assert!(session.has_grabbed(), "{corner_px}");
         act(&mut session, Intent::Release);
-        assert_eq!(state(&session).stroke_count, count + 1);
+        assert_eq!(face(&session).photo().strokes().count(), count + 1);
     }
     let radii: Vec<f64> = face(&session).photo().strokes().dabs().map(|dab| dab.radius_px).collect();
     assert!(radii.iter().all(|radius| (radius - radii[0]).abs() < 1e-9), "{radii:?}");
@@ -226,7 +226,7 @@ fn the_brush_paints_only_within_the_photo() {
     act(&mut session, Intent::Press(beyond, Pointer::Coarse));
     assert!(!session.has_grabbed());
     act(&mut session, Intent::Release);
-    assert_eq!((state(&session).stroke_count, face(&session).selection()), (3, None));
+    assert_eq!((face(&session).photo().strokes().count(), face(&session).selection()), (3, None));
 }
 
 #[test]

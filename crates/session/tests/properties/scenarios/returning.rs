@@ -77,8 +77,9 @@ fn an_open_face_keeps_its_mesh_under_restored_preferences() {
     act(&mut other, Intent::RestorePreferences(one.preferences()));
     let (wanted, now) = (one.state(), other.state());
     assert_eq!((other.mode(), other.edit_options()), (one.mode(), one.edit_options()));
-    assert_eq!((now.light, now.dots), (wanted.light, wanted.dots));
-    assert_eq!(other.stage().render_settings().shading, ShadingMode::Clay);
+    let [settings, wanted_settings] = [&other, &one].map(|session| session.stage().render_settings());
+    assert_eq!((now.light, settings.dots), (wanted.light, wanted_settings.dots));
+    assert_eq!(settings.shading, ShadingMode::Clay);
     assert_eq!((face(&other).triangulation(), other.density()), (Triangulation::Canonical, SMOOTH_DENSITY));
     assert!(matches!(face(&other).selection(), Some(Selection::Region(_))), "the selection follows the mode");
     assert_eq!((now.vertex_count, now.entry_count), (7_257, 1), "the edit in progress is committed");

@@ -71,12 +71,12 @@ fn only_selections_with_edits_in_force_can_be_reset() {
     select(&mut session, nose);
     let before = positions(&session);
     move_by(&mut session, DVec3::Z * 2.0);
-    assert!(state(&session).can_reset_selection);
+    assert!(face(&session).can_reset_selection());
     select(&mut session, lips);
-    assert!(!state(&session).can_reset_selection);
+    assert!(!face(&session).can_reset_selection());
     select(&mut session, nose);
     act(&mut session, Intent::ResetSelected);
-    assert!(!state(&session).can_reset_selection);
+    assert!(!face(&session).can_reset_selection());
     assert_eq!(positions(&session), before);
 }
 
@@ -89,7 +89,7 @@ fn symmetric_selections_leave_the_mirror_only_sideways() {
         for selection in selections {
             act(&mut session, Intent::Mirror(Mirror::On));
             select(&mut session, selection);
-            assert_eq!(state(&session).lies_in_plane, in_plane, "{selection:?}");
+            assert_eq!(face(&session).lies_in_plane(session.edit_options()), in_plane, "{selection:?}");
             let before = positions(&session);
             act(&mut session, Intent::Offset(DVec3::new(0.0, 2.0, 1.0)));
             let sideways = |vertex: u32| {
@@ -103,7 +103,7 @@ fn symmetric_selections_leave_the_mirror_only_sideways() {
             act(&mut session, Intent::Cancel);
             assert!(!state(&session).leaves_plane);
             act(&mut session, Intent::Mirror(Mirror::Off));
-            assert!(!state(&session).lies_in_plane);
+            assert!(!face(&session).lies_in_plane(session.edit_options()));
         }
     }
 }
@@ -223,7 +223,8 @@ fn point_edits_are_mirrored_and_wait_on_coarser_meshes() {
         assert!(displacement_mm(&session, &before, vertex).distance(DVec3::new(x, 0.0, 2.0)) < 1e-9);
     }
     let now = state(&session);
-    assert_eq!((now.offset_mm[2], now.can_mirror, now.can_reset_selection), (2.0, true, true));
+    assert_eq!(now.offset_mm[2], 2.0);
+    assert!(face(&session).can_mirror() && face(&session).can_reset_selection());
     let target = EditTarget::Point { level: 1, vertex: 1_500 };
     let label = face(&session).document().history().entries()[0].label.clone();
     assert_eq!(label, "point-1500@1");
@@ -257,10 +258,10 @@ fn points_of_the_tessellation_move_without_the_mirror() {
     let position_m = face(&session).document().rest()[1_500];
     act(&mut session, Intent::Triangulation(Triangulation::Tessellation));
     assert!(away_m(&session, position_m) < 0.002);
-    assert!(!state(&session).can_mirror);
+    assert!(!face(&session).can_mirror());
     act(&mut session, Intent::Offset(DVec3::Z));
     assert_eq!(face(&session).document().handles().len(), 1);
     select(&mut session, Selection::Landmark(61));
-    assert!(state(&session).can_mirror);
+    assert!(face(&session).can_mirror());
     assert_eq!(face(&session).document().handles().len(), 2);
 }
