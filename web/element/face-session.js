@@ -1,4 +1,4 @@
-import { make } from "../js/page/dom.js";
+import { make } from "../src/dom.ts";
 import { Opening } from "../js/opening.js";
 import { Host } from "../js/viewport/host.js";
 import { LandmarkMarks } from "../js/viewport/landmark-marks.js";

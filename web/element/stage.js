@@ -1,4 +1,4 @@
-import { make } from "../js/page/dom.js";
+import { make } from "../src/dom.ts";
 import { onLocaleChange, isWord, t } from "../js/words/words.js";
 import { STYLES } from "./styles.js";
 

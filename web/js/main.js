@@ -2,7 +2,7 @@ import { pageOpening } from "./page-opening.js";
 import { setUpLivePreview } from "./live/live-preview.js";
 import { announce } from "./page/announce.js";
 import { setUpDialogs } from "./page/dialogs.js";
-import { byId, onAction } from "./page/dom.js";
+import { byId, onAction } from "../src/dom.ts";
 import { completeHint, setUpHints } from "./page/hint.js";
 import { hideNotice, setUpNotice, showError } from "./page/notice.js";
 import { setUpExport } from "../src/export.ts";

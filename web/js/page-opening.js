@@ -1,4 +1,4 @@
-import { byId } from "./page/dom.js";
+import { byId } from "../src/dom.ts";
 import { showHints } from "./page/hint.js";
 import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.js";
 import { hideProgress, showLoading, showStage } from "./page/progress.js";

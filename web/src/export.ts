@@ -1,4 +1,4 @@
-import { onAction } from "../js/page/dom.js";
+import { onAction } from "./dom.ts";
 import { download } from "../js/page/download.js";
 import { showError } from "../js/page/notice.js";
 import { toast } from "../js/page/toast.js";
@@ -41,8 +41,10 @@ export function setUpExport(context: Context) {
   };
   const print = setUpPrint(host, files);
   offerGlb(context, makeMesh);
-  for (const { id, isPrinted } of host.catalogue.formats) {
-    if (id !== "glb") onAction(`download-${id}`, () => makeMesh(id).then(save).catch(isPrinted ? print.refuse : fail));
+  const { formats, printedFormats } = host.catalogue;
+  for (const id of formats) {
+    const refuse = printedFormats.includes(id) ? print.refuse : fail;
+    if (id !== "glb") onAction(`download-${id}`, () => makeMesh(id).then(save).catch(refuse));
   }
   onAction("save-project", async () => {
     const name = fileName(opening.face, "rosto");
@@ -58,15 +60,15 @@ export function setUpExport(context: Context) {
 function offerGlb({ host, validator }: Context, makeMesh: (format: string) => Promise<File>) {
   const report = (about: Report) => host.applyShown({ report: about });
   const make = async (isValidated: boolean) => {
-    report({ making: { isValidated } });
+    report({ "glb-started": { isValidated } });
     try {
       const file = await makeMesh("glb");
       const validated = isValidated ? await validator.check(new Uint8Array(await file.arrayBuffer())) : undefined;
       const verdict = validated ? { validated } : "unchecked";
-      report({ made: { bytes: file.size, verdict: isValidated ? verdict : undefined } });
+      report({ "glb-made": { bytes: file.size, verdict: isValidated ? verdict : undefined } });
       return file;
     } catch (error) {
-      report("not-made");
+      report("glb-failed");
       host.fail(error);
       return undefined;
     }
@@ -102,8 +104,7 @@ function offerPhoto({ host, opening, files, pictureSize }: Context) {
     const { face } = opening;
     if (!face) return;
     const { width, height } = pictureSize();
-    report({ stem: face.name });
-    report({ "saved-photo": leadPhotoOf(face).source.kind === "saved" ? [width, height] : undefined });
+    report({ face: { stem: face.name, savedPx: leadPhotoOf(face).source.kind === "saved" ? [width, height] : undefined } });
   });
 }
 

@@ -1,5 +1,5 @@
 import { announce } from "../js/page/announce.js";
-import { byId } from "../js/page/dom.js";
+import { byId } from "./dom.ts";
 import type { Host } from "../js/viewport/host.js";
 import { findVertex, landmarkLabel } from "../js/words/names.js";
 import { onLocaleChange, t } from "../js/words/words.js";

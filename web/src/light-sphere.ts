@@ -1,15 +1,16 @@
 import type { Host } from "../js/viewport/host.js";
 
-/** Radius of the sphere, in units of the SVG. */
+/** Radius of the sphere, and width of its SVG, in units of the SVG. */
 const SPHERE = 40;
+const WIDTH = 96;
 
 /** Sets the direction of the light by dragging on a sphere. */
 export function setUpLightSphere(host: Host) {
   const sphere = document.getElementById("light-sphere") as unknown as SVGSVGElement;
   const drag = (event: PointerEvent) => {
     const { left, top, width, height } = sphere.getBoundingClientRect();
-    const x = ((event.clientX - left) / width - 0.5) * 2.4;
-    const y = (0.5 - (event.clientY - top) / height) * 2.4;
+    const x = ((event.clientX - left) / width - 0.5) * (WIDTH / SPHERE);
+    const y = (0.5 - (event.clientY - top) / height) * (WIDTH / SPHERE);
     const radius = Math.max(1, Math.hypot(x, y));
     const toViewer = Math.sqrt(Math.max(0, 1 - (x * x + y * y) / (radius * radius)));
     host.applyShown({ set: ["light.azimuth", degrees(Math.atan2(x / radius, toViewer))] });

@@ -1,4 +1,4 @@
-import { byId, onAction } from "../js/page/dom.js";
+import { byId, onAction } from "./dom.ts";
 import { remember, remembered } from "../js/page/remember.js";
 import type { Host } from "../js/viewport/host.js";
 import { setPointNumbersShown } from "../js/words/names.js";
@@ -7,9 +7,6 @@ import { setUpLandmarkSearch } from "./landmark-search.ts";
 import { setUpLightSphere } from "./light-sphere.ts";
 import { Panels } from "./panels.ts";
 import { domId } from "./widget.ts";
-
-/** Actions of buttons outside the panels. */
-const ACTIONS = { undo: "undo", redo: "redo", "reset-view": { "go-to": "reset" } } as const;
 
 /** Shows the panels that the studio describes. */
 export function setUpPanels(host: Host) {
@@ -22,7 +19,7 @@ export function setUpPanels(host: Host) {
     document.body.toggleAttribute("data-brush", brush instanceof HTMLInputElement && brush.checked);
   });
   onLocaleChange(() => panels.translate());
-  for (const [action, intent] of Object.entries(ACTIONS)) onAction(action, () => host.apply(intent));
+  onAction("reset-view", () => host.apply({ "go-to": "reset" }));
   setUpExpert(host);
 }
 

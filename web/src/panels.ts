@@ -1,6 +1,6 @@
 import { isWord, t } from "../js/words/words.js";
 import type { Control, Phrase, Widget } from "../wasm/rosto-studio-web.js";
-import { make, makeIcon } from "./dom.ts";
+import { enableAction, make, makeIcon, onAction } from "./dom.ts";
 import { textOf } from "./phrase.ts";
 import { SliderView } from "./slider.ts";
 import { domId, labelOf, type Send, type View } from "./widget.ts";
@@ -65,7 +65,7 @@ export class Panels {
       case "colour":
         return makeColour(id, this.#send);
       case "button":
-        return makeButton(id, this.#send);
+        return makeButton(id, control, this.#send);
       case "text":
         return makeText(id);
       case "facts":
@@ -239,21 +239,19 @@ function makeColour(id: string, send: Send): View {
   };
 }
 
-/** Other buttons of the page with the same action, such as the toolbar's, are enabled with it. */
-function makeButton(id: string, send: Send): View {
+/** Other buttons of the page with the same action, such as the toolbar's, work and are enabled like it. */
+function makeButton(id: string, { isOfPage }: Of<"button">, send: Send): View {
   const element = make("button", "button small");
   [element.type, element.id, element.dataset["action"]] = ["button", domId(id), id];
-  let isOfPage = false;
-  // The page performs its own actions: see onAction.
-  element.addEventListener("click", () => isOfPage || send({ push: id }));
+  if (!isOfPage) onAction(id, () => send({ push: id }));
   return {
     element,
     show: (widget) => {
-      isOfPage = (widget.control as Of<"button">).isOfPage;
       element.textContent = labelOf(widget);
       const long = `${widget.label?.key ?? id}.long`;
       if (isWord(long)) [element.ariaLabel, element.title] = [t(long), t(long)];
-      for (const button of [element, ...document.querySelectorAll<HTMLButtonElement>(`button[data-action="${id}"]`)]) button.disabled = !widget.isEnabled;
+      element.disabled = !widget.isEnabled;
+      enableAction(id, widget.isEnabled);
     },
   };
 }

@@ -1,4 +1,4 @@
-import { byId } from "../js/page/dom.js";
+import { byId } from "./dom.ts";
 import { asPageError } from "../js/page/page-error.js";
 import type { Host } from "../js/viewport/host.js";
 import { isWord } from "../js/words/words.js";
@@ -19,7 +19,7 @@ export function setUpPrint(host: Host, files: FaceFiles) {
     latest += 1;
     isStale = false;
     const { code, maxMm } = asPageError(error);
-    host.applyShown({ report: { "no-body": { code: isWord(`error.${code}`) ? code : "other", maxMm } } });
+    host.applyShown({ report: { "body-failed": { code: isWord(`error.${code}`) ? code : "other", maxMm } } });
   };
   const measure = async () => {
     isStale = false;
@@ -27,7 +27,7 @@ export function setUpPrint(host: Host, files: FaceFiles) {
     const result = await files.solidFacts(host.answer((studio) => studio.fileOptions())).then((body) => ({ body }), (error) => ({ error }));
     if (number !== latest || isStale) return;
     if ("error" in result) refuse(result.error);
-    else host.applyShown({ report: { body: result.body } });
+    else host.applyShown({ report: { "body-measured": result.body } });
   };
   const measureSoon = () => {
     clearTimeout(timer);

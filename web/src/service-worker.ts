@@ -3,7 +3,7 @@
  * files never change, so they come from the caches first. The page itself comes from the network; after a timeout or an
  * error, from the newest complete cache.
  *
- * A cache is kept while a tab uses its version; tabs show that by a Web Lock. See version.js.
+ * A cache is kept while a tab uses its version; tabs show that by a Web Lock. See version.ts.
  */
 
 /** Hashes by file name; `fallback`: only for browsers without WebGPU. Defined in the build. */

@@ -20,7 +20,6 @@ export class SliderView {
   #limits: Range;
   /** Value last shown; the fields show it rounded. */
   #value = 0;
-  #isTyping = false;
   /** Timer that commits after the last key press; 0 if none is pending. */
   #pending = 0;
 
@@ -39,6 +38,15 @@ export class SliderView {
       input.addEventListener("blur", () => this.#flush());
       input.addEventListener("keydown", ({ key }) => key === "Escape" && this.#cancel());
     }
+  }
+
+  /** Whether the number field has a text that is being typed; keys then edit it. */
+  get #isTyping() {
+    return "typing" in this.#number.dataset;
+  }
+
+  set #isTyping(isTyping: boolean) {
+    this.#number.toggleAttribute("data-typing", isTyping);
   }
 
   show(widget: Widget) {

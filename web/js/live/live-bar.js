@@ -1,4 +1,4 @@
-import { byId, onAction } from "../page/dom.js";
+import { byId, onAction } from "../../src/dom.ts";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";
 
 /** @typedef {import("./frame-stats.js").Figures} Figures */

@@ -1,4 +1,4 @@
-import { byId, onAction } from "../page/dom.js";
+import { byId, onAction } from "../../src/dom.ts";
 import { showError } from "../page/notice.js";
 import { asPageError } from "../page/page-error.js";
 import { FrameStats } from "./frame-stats.js";

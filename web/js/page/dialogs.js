@@ -1,4 +1,4 @@
-import { byId, isTyping, onAction } from "./dom.js";
+import { byId, isTyping, onAction } from "../../src/dom.ts";
 
 /** Sets up the credits and keyboard-shortcut dialogs. */
 export function setUpDialogs() {

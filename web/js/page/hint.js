@@ -1,5 +1,5 @@
 import { onLocaleChange, t } from "../words/words.js";
-import { byId } from "./dom.js";
+import { byId } from "../../src/dom.ts";
 import { remember, remembered } from "./remember.js";
 
 /** Actions that the hints suggest, in order. */

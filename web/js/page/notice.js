@@ -1,5 +1,5 @@
 import { onLocaleChange, isWord, t } from "../words/words.js";
-import { byId } from "./dom.js";
+import { byId } from "../../src/dom.ts";
 import { asPageError } from "./page-error.js";
 
 /**

@@ -1,4 +1,4 @@
-import { byId } from "./dom.js";
+import { byId } from "../../src/dom.ts";
 
 /**
  * Resets the panel when another face opens: unfinished input, tab and scroll position.

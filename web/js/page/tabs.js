@@ -1,4 +1,4 @@
-import { byId } from "./dom.js";
+import { byId } from "../../src/dom.ts";
 
 /** Windows without a panel head, as in the style sheets. */
 const SMALL = matchMedia("(width < 560px), (width < 720px) and (orientation: portrait), (height < 560px)");

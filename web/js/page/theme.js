@@ -1,4 +1,4 @@
-import { byId } from "./dom.js";
+import { byId } from "../../src/dom.ts";
 import { remember, remembered } from "./remember.js";
 
 /**

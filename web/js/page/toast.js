@@ -1,5 +1,5 @@
 import { announce } from "./announce.js";
-import { byId } from "./dom.js";
+import { byId } from "../../src/dom.ts";
 
 /** Long enough to read once. */
 const DURATION_MS = 4000;

@@ -1,5 +1,5 @@
 import { announce } from "../page/announce.js";
-import { byId, enableAction, make, onAction } from "../page/dom.js";
+import { byId, enableAction, make, onAction } from "../../src/dom.ts";
 import { trustedSvg } from "../../src/trusted.ts";
 import { idName } from "../words/names.js";
 import { onLocaleChange, t, formatNumber } from "../words/words.js";

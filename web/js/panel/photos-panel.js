@@ -1,4 +1,4 @@
-import { byId, make, makeIcon } from "../page/dom.js";
+import { byId, make, makeIcon } from "../../src/dom.ts";
 import { toast } from "../page/toast.js";
 import { faceBox } from "../photo/face-box.js";
 import { onLocaleChange, t } from "../words/words.js";

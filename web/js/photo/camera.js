@@ -1,4 +1,4 @@
-import { byId, onAction } from "../page/dom.js";
+import { byId, onAction } from "../../src/dom.ts";
 import { showError } from "../page/notice.js";
 import { onLocaleChange, t } from "../words/words.js";
 import { cameraErrorCode, hasPicture, stopTracks } from "./camera-stream.js";

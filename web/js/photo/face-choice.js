@@ -1,4 +1,4 @@
-import { byId, make } from "../page/dom.js";
+import { byId, make } from "../../src/dom.ts";
 import { onLocaleChange, t } from "../words/words.js";
 import { leadOf } from "../work/face.js";
 import { faceBox } from "./face-box.js";

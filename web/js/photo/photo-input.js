@@ -1,4 +1,4 @@
-import { byId, isTyping, onAction } from "../page/dom.js";
+import { byId, isTyping, onAction } from "../../src/dom.ts";
 import { showError, showRemark } from "../page/notice.js";
 
 /** File names that the page can open. */

@@ -1,4 +1,4 @@
-import { byId } from "../page/dom.js";
+import { byId } from "../../src/dom.ts";
 import { onLocaleChange, t } from "../words/words.js";
 import { leadOf } from "../work/face.js";
 import { faceCrop } from "./face-box.js";

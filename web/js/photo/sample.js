@@ -1,5 +1,5 @@
 import { fetchFile } from "../../src/files.ts";
-import { byId } from "../page/dom.js";
+import { byId } from "../../src/dom.ts";
 
 const TIMEOUT_MS = 60_000;
 

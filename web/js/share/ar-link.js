@@ -1,4 +1,4 @@
-import { byId } from "../page/dom.js";
+import { byId } from "../../src/dom.ts";
 
 /**
  * Sets up the link that opens the face in AR Quick Look, in Safari on iPhone and iPad. A click creates the USDZ file

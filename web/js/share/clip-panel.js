@@ -1,5 +1,5 @@
 import { announce } from "../page/announce.js";
-import { byId } from "../page/dom.js";
+import { byId } from "../../src/dom.ts";
 import { download } from "../page/download.js";
 import { toast } from "../page/toast.js";
 import { isTrap } from "../../src/studio-module.ts";

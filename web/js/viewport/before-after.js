@@ -1,4 +1,4 @@
-import { byId } from "../page/dom.js";
+import { byId } from "../../src/dom.ts";
 
 /** @typedef {import("./host.js").Host} Host */
 

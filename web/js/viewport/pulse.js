@@ -1,4 +1,4 @@
-import { byId } from "../page/dom.js";
+import { byId } from "../../src/dom.ts";
 import { onHint } from "../page/hint.js";
 
 /** @typedef {import("./host.js").Host} Host */

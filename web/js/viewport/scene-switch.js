@@ -1,4 +1,4 @@
-import { byId, isTyping } from "../page/dom.js";
+import { byId, isTyping } from "../../src/dom.ts";
 
 /** @typedef {import("./host.js").Host} Host */
 

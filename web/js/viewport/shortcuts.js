@@ -1,4 +1,4 @@
-import { isTyping } from "../page/dom.js";
+import { isTyping } from "../../src/dom.ts";
 
 /** @typedef {import("./host.js").Host} Host */
 

@@ -1,4 +1,4 @@
-import { byId } from "../page/dom.js";
+import { byId } from "../../src/dom.ts";
 import { asPageError } from "../page/page-error.js";
 import { setSavesWork, showError, showRemark } from "../page/notice.js";
 import { allSlots, prune } from "./slots.js";

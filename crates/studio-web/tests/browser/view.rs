@@ -1,5 +1,6 @@
 //! The drawn canvas.
 
+use rosto_studio::FaceSlider;
 use serde_json::json;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -43,8 +44,8 @@ async fn a_face_has_its_photos_colours_and_does_not_move() {
 #[wasm_bindgen_test]
 async fn a_sliders_commit_matches_its_ticks_on_the_gpu() {
     let mut studio = studio().await;
-    for slider in catalogue()["sliders"].as_array().unwrap() {
-        let (id, max_mm) = (&slider["id"], slider["range"]["max"].as_f64().unwrap());
+    for slider in FaceSlider::ALL {
+        let (id, max_mm) = (slider.id(), 1e3 * slider.range_m());
         apply(&mut studio, json!({ "slide": [id, 0.5 * max_mm] }));
         apply(&mut studio, json!({ "slide": [id, max_mm] }));
         let glowing = pixels(&mut studio).await;
