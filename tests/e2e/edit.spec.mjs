@@ -40,6 +40,15 @@ test("moving the nose tip changes picture and mesh like the command line, and un
   assert.deepEqual(await editor.meshJson("mm"), after.mesh);
 });
 
+test("a press of any Undo or Redo button changes one edit", async ({ editor, page }) => {
+  for (const mm of [1, 2, 3, 4]) await editor.setSlider("nose-width", mm);
+  await editor.unfold("section-history");
+  for (const [place, action, left] of [["#toolbar", "undo", 3], ["#section-history", "undo", 2], ["#section-history", "redo", 3], ["#toolbar", "redo", 4]]) {
+    await page.click(`${place} [data-action='${action}']`);
+    assert.equal((await editor.history()).length, left, `${action} in ${place}`);
+  }
+});
+
 test("rotating details follow each tick and give the command line's mesh", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
   await editor.findLandmark("61");
   await editor.unfold("section-advanced");

@@ -42,6 +42,8 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   await page.keyboard.press("Control+y");
   assert.equal((await visitor.history()).length, 1);
   assert.equal(await page.inputValue("#landmark-offset [data-axis='y'] .number-field"), "0");
+  await page.keyboard.type("2?");
+  assert.ok(await page.isHidden("#keys"), "a key that was typed into a field is a shortcut");
 });
 
 test("the skip link leads to the search on each tab", { tag: "@rare" }, async ({ editor, page }) => {

@@ -13,7 +13,7 @@ impl Session {
             EditTarget::Landmark(vertex) => self.landmark_name(vertex),
             EditTarget::Point { vertex, .. } => {
                 let name = match self.is_expert() {
-                    true => Phrase::word("target.point").number("n", vertex.into(), 0),
+                    true => Phrase::word("target.point").with("n", vertex.to_string()),
                     false => Phrase::word("target.point.plain"),
                 };
                 match part {

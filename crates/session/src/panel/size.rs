@@ -79,6 +79,6 @@ fn length(mm: f64, error: f64) -> Phrase {
 fn vertex_name(session: &Session, vertex: u32) -> Phrase {
     match vertex {
         landmark if (landmark as usize) < LANDMARK_COUNT => session.name_of(EditTarget::Landmark(landmark)),
-        other => Phrase::word("target.point").number("n", other.into(), 0),
+        other => Phrase::word("target.point").with("n", other.to_string()),
     }
 }
