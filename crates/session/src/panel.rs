@@ -9,6 +9,7 @@ mod choices;
 mod export;
 mod expressions;
 mod face;
+mod formats;
 mod history;
 mod in_photo;
 mod method;

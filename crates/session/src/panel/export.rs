@@ -3,9 +3,10 @@ use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material};
 use rosto_mesh::Named;
 
 use super::build::{check, choice, group, help, page_button, slot, text};
+use super::formats::{formats, formats_help};
 use super::name::word;
 use super::widget::{ChoiceLook, Control, GroupLook, Tone, Widget};
-use super::{Part, Phrase, print};
+use super::{Phrase, print};
 use crate::files::{File, Outcome};
 use crate::{Choice, Intent, Session};
 
@@ -128,24 +129,6 @@ fn verdict(session: &Session) -> Widget {
     }
     let counts = counts.into_iter().flatten();
     text("verdict", Some(counts.fold(phrase, |phrase, (name, count)| phrase.number(name, count.into(), 0))), tone)
-}
-
-pub(super) fn formats(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
-    let button = |format: Format| {
-        let name = Phrase::verbatim(format.id().to_ascii_uppercase());
-        page_button(format!("download-{}", format.id()), name)
-    };
-    group(id, GroupLook::Row, Format::ALL.into_iter().filter(|&format| is_listed(format)).map(button).collect())
-}
-
-/// Contents of the formats, one sentence each.
-pub(super) fn formats_help(id: &'static str, is_listed: fn(Format) -> bool) -> Widget {
-    let texts = Format::ALL.into_iter().filter(|&format| is_listed(format));
-    let texts: Vec<Phrase> = texts.map(|format| Phrase::word(format!("format.{}.help", format.id()))).collect();
-    let joined = texts.into_iter().reduce(|before, next| {
-        Phrase::word("sentences").with("before", Part::Phrase(before)).with("next", Part::Phrase(next))
-    });
-    text(id, joined, Tone::Help)
 }
 
 fn photo(session: &Session) -> Widget {

@@ -3,7 +3,7 @@ use rosto_export::{ExportOption, SOLID_MM, Solid};
 
 use super::Phrase;
 use super::build::{choice, group, slider, text};
-use super::export::{formats, formats_help};
+use super::formats::{formats, formats_help};
 use super::name::word;
 use super::widget::{ChoiceLook, Control, GroupLook, Tone, Widget};
 use crate::files::{BACK_MM, Body, BodyFacts, THICKNESS_MM};
