@@ -107,6 +107,7 @@ export class FaceSession {
    * Applies an intent; throws if the studio rejects it.
    *
    * @param {import("../js/viewport/host.js").Intent} intent
+   * @returns {import("../wasm/rosto-studio-web.js").Applied}
    */
   apply(intent) {
     return this.host.attempt(intent);
