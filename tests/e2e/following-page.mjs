@@ -42,7 +42,7 @@ export async function watch(duration_ms) {
 const canvas = new OffscreenCanvas(1, 1);
 const context = canvas.getContext("2d", { willReadFrequently: true });
 
-/** @param {import("../../web/js/worker/protocol.js").FollowedFrame} followed */
+/** @param {import("../../web/src/worker/protocol.ts").FollowedFrame} followed */
 function whatIsOn({ frame, landmarks, width_px, height_px }) {
   Object.assign(canvas, { width: width_px, height: height_px });
   context.drawImage(frame, 0, 0);

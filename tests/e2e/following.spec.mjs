@@ -23,7 +23,7 @@ const test = base.extend({
     // Without the page's policy and worker.
     await page.route("**/blank.html", (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html><title>Blank</title>" }));
     await page.goto(`${server.url}blank.html`);
-    const parts = await importParts(page, ["js/photo/vision-client.js"]);
+    const parts = await importParts(page, ["src/photo/vision-client.ts"]);
     await page.evaluate((parts) => void Object.assign(globalThis, { parts }), parts);
     await use(await page.evaluateHandle(() => import(new URL("film/following-page.mjs", document.baseURI).href)));
   },

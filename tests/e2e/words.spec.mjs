@@ -13,7 +13,7 @@ const [en, pt] = (await Promise.all(words)).map((text) => JSON.parse(text));
 const SOURCES = [
   { folder: "crates", files: /^(studio|vision)-web\/src\/.*error\.rs$/, codes: /"(?!code"|hint")([a-z]+(?:-[a-z]+)*)"/g },
   { folder: "crates/studio-web/src", files: /\.rs$/, codes: /FacadeError::new\(\s*"([a-z-]+)"/g },
-  { folder: "web/js", files: /\.js$/, codes: /(?:code: |(?:fail|lost)\(|asPageError\(error, )"([a-z-]+)"/g },
+  { folder: "web/src", files: /\.ts$/, codes: /(?:code: |(?:fail|lost)\(|asPageError\(error, )"([a-z-]+)"/g },
 ];
 
 test("each error code has text in each language", async () => {
@@ -30,7 +30,7 @@ test("notices do not show the modules' English messages", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR" });
   const { page } = visitor;
   await visitor.untilLoaded();
-  const parts = await importParts(page, ["js/page/notice.js", "js/words/words.js"]);
+  const parts = await importParts(page, ["src/page/notice.ts", "src/words/words.ts"]);
   const shown = await parts.evaluate(async ({ showError, loadWords }) => {
     await loadWords("pt");
     const thrown = (code) => Object.assign(new Error("no landmark is held"), { code, hint: "Choose a landmark first." });
@@ -73,7 +73,7 @@ test("the last of two languages chosen during loading is shown", async ({ open }
 
 test("hints do not promise saved work if the browser does not save it", async ({ visitor }) => {
   await visitor.untilLoaded();
-  const parts = await importParts(visitor.page, ["js/page/notice.js"]);
+  const parts = await importParts(visitor.page, ["src/page/notice.ts"]);
   const hints = await parts.evaluate(({ setSavesWork, showError }) => {
     const hint = () => document.getElementById("notice-hint").textContent;
     showError({ code: "device-lost", message: "", hint: "" });

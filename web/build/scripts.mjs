@@ -21,14 +21,14 @@ export const MODULES = { ...SHARED, format: "esm", splitting: true, chunkNames: 
 export const WORKER = {
   ...SHARED,
   format: "iife",
-  entryPoints: { "vision-worker": "js/worker/vision-worker.js" },
+  entryPoints: { "vision-worker": "src/worker/vision-worker.ts" },
   // The default URL of the module is not used.
   define: { "import.meta.url": "location.href" },
 };
 
 /** @type {import("esbuild").BuildOptions[]} */
 export const BUNDLES = [
-  { ...MODULES, entryPoints: { page: "js/main.js" } },
+  { ...MODULES, entryPoints: { page: "src/main.ts" } },
   WORKER,
   { ...SHARED, format: "iife", entryPoints: { "validator-worker": "src/validator-worker.ts", start: "src/start.ts", page: "css/page.css" } },
 ];

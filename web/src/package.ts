@@ -1,12 +1,12 @@
 /** The npm package. */
-import type { RostoStudio } from "../element/rosto-studio.js";
-import type { StudioSnapshot } from "../element/state.js";
+import type { RostoStudio } from "./element/rosto-studio.ts";
+import type { StudioSnapshot } from "./element/state.ts";
 
-export { FaceSession } from "../element/face-session.js";
-export { RostoStudio } from "../element/rosto-studio.js";
-export type { StudioSnapshot } from "../element/state.js";
-export { VisionClient } from "../js/photo/vision-client.js";
-export { Host } from "../js/viewport/host.js";
+export { FaceSession } from "./element/face-session.ts";
+export { RostoStudio } from "./element/rosto-studio.ts";
+export type { StudioSnapshot } from "./element/state.ts";
+export { VisionClient } from "./photo/vision-client.ts";
+export { Host } from "./viewport/host.ts";
 export { init } from "./files.ts";
 
 /** Detail of the event `rosto-face`. */

@@ -1,4 +1,4 @@
-import { asPageError } from "../js/page/page-error.js";
+import { asPageError } from "./page/page-error.ts";
 import init, { catalogue, createRenderer, replaceInstance, start } from "../wasm/rosto-studio-web.js";
 import type { Studio } from "../wasm/rosto-studio-web.js";
 import { fetchFile, fileUrl } from "./files.ts";

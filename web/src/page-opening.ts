@@ -1,0 +1,80 @@
+import { byId } from "./page/dom.ts";
+import { showHints } from "./page/hint.ts";
+import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.ts";
+import { hideProgress, showLoading, showStage } from "./page/progress.ts";
+import { resetPanel } from "./page/reset-panel.ts";
+import { isTrap } from "./studio-module.ts";
+import { Opening } from "./opening.ts";
+import { recentFaces } from "./work/recent-faces.ts";
+import type { Incoming } from "./opening.ts";
+import type { ShownFace } from "./work/recent-faces.ts";
+import type { Host } from "./viewport/host.ts";
+import type { VisionClient } from "./photo/vision-client.ts";
+import type { PhotoOverlay } from "./photo/photo-overlay.ts";
+import type { FaceChoice } from "./photo/face-choice.ts";
+import type { Autosave } from "./work/autosave.ts";
+
+export interface Context {
+  /** undefined if the browser cannot draw in 3D */
+  host: Promise<Host | undefined>;
+  vision: VisionClient;
+  overlay: PhotoOverlay;
+  faceChoice: FaceChoice;
+  autosave: Autosave;
+  onOpened: (extraction_ms: number | undefined) => void;
+}
+
+/** Opens faces on the page, with its panels, notices and autosave. */
+export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpened }: Context) {
+  const opening = new Opening(host, vision, {
+    begun: () => {
+      dismissNotices();
+      hideProgress();
+    },
+    progress: (stage, fraction) => (stage === "loading" ? showLoading() : showStage(stage, fraction)),
+    prepare: async ({ face, faces }, picture) => {
+      const prepared = await overlay.prepare(face, picture);
+      faceChoice.prepare(faces, picture);
+      return prepared;
+    },
+    leaving: () => autosave.flush(),
+    started: (face) => autosave.start(face),
+    opened: (incoming) => {
+      showOpened(incoming);
+      showFaces(incoming);
+      // Fields that were being typed in can be updated again.
+      host.then((ready) => ready?.announce());
+      onOpened(incoming.extraction_ms);
+    },
+    photosChanged: (shown) => {
+      autosave.flush();
+      showFaces(shown);
+    },
+    notAdded: showNotAdded,
+    addedLittle: (name) => showRemark("adds-little", { name }),
+    // The host reports traps.
+    failed: (error) => isTrap(error) || showError(error),
+    ended: (isNewest) => {
+      if (isNewest) hideProgress();
+      faceChoice.mark(opening.face);
+    },
+  });
+
+  function showFaces({ faces }: ShownFace) {
+    faceChoice.show(faces, recentFaces(opening.earlier, faces)).catch((error) => console.warn("cannot show the recent faces:", error));
+  }
+  return opening;
+}
+
+function showOpened({ changedElsewhere, isDoubtful, ofThisVisit = false }: Incoming) {
+  const isIn3d = document.body.dataset["host"] === "open";
+  document.body.dataset["state"] = isIn3d ? "face" : "photo";
+  byId("welcome", HTMLElement).hidden = true;
+  byId("toolbar", HTMLDivElement).hidden = !isIn3d;
+  // Collapse the photo to make room for the tools; without a 3D view, keep it open.
+  byId("section-photo", HTMLDetailsElement).open = !isIn3d;
+  resetPanel(ofThisVisit);
+  if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
+  else if (isDoubtful) showRemark("may-not-be-a-face", {});
+  else if (isIn3d) showHints();
+}

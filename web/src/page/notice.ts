@@ -1,0 +1,136 @@
+import { onLocaleChange, isWord, t } from "../words/words.ts";
+import { byId } from "./dom.ts";
+import { asPageError } from "./page-error.ts";
+import type { WordKey } from "../words/words.ts";
+
+export type Remark = "one-of-several" | "adds-little" | "earlier-work" | "may-not-be-a-face";
+
+export type Notice = { kind: "error" | "remark"; code: string; words: () => { title: string; hint: string; }; };
+
+export type Owner = "page" | "studio" | "gpu";
+
+/** One notice per owner; the most recent one is shown. */
+const notices: Map<Owner, Notice> = new Map();
+/** Whether the browser saves the work. */
+let savesWork = true;
+
+/** Writes notices in each locale and makes them closable. */
+export function setUpNotice() {
+  byId("notice-close", HTMLButtonElement).addEventListener("click", () => dismissNotices());
+  addEventListener("keydown", ({ key }) => {
+    if (key === "Escape") dismissNotices();
+  });
+  for (const change of ["toggle", "close"]) addEventListener(change, ({ target }) => target instanceof HTMLDialogElement && write(), { capture: true });
+  onLocaleChange(write);
+}
+
+/** Shows an error and what to do next. */
+export function showError(thrown: unknown, owner: Owner = "page") {
+  show(noticeOf(thrown), owner);
+}
+
+/**
+ * Shows information that is not an error.
+ *
+ * @param values placeholders of the text
+ */
+export function showRemark(remark: Remark, values: Record<string, string | number>) {
+  const words = () => ({ title: t(`remark.${remark}`, values), hint: t(`remark.${remark}.hint`, values) });
+  show({ kind: "remark", code: remark, words });
+}
+
+/**
+ * Reports why a photo was not added, and what to do next.
+ *
+ * @param name file name
+ */
+export function showNotAdded(name: string, thrown: unknown) {
+  const notice = noticeOf(thrown);
+  const words = () => {
+    const { title: reason, hint: usual } = notice.words();
+    // The general hint asks the user to face the camera, which is wrong for a side view.
+    const hint = notice.code === "no-face-found" ? t("photos.not-added.no-face") : usual;
+    return { title: t("photos.not-added", { name }), hint: t("photos.not-added.why", { reason, hint }) };
+  };
+  show({ ...notice, words });
+}
+
+/** Hides an owner's notice. */
+export function hideNotice(owner: Owner) {
+  notices.delete(owner);
+  write();
+}
+
+/** Hides all notices. */
+export function dismissNotices() {
+  notices.clear();
+  write();
+}
+
+/** Sets whether hints may say that the work is saved. */
+export function setSavesWork(saves: boolean) {
+  savesWork = saves;
+  write();
+}
+
+function show(notice: Notice, owner: Owner = "page") {
+  notices.delete(owner);
+  notices.set(owner, notice);
+  write();
+}
+
+/** Logs unexpected errors to the console. */
+function noticeOf(thrown: unknown): Notice {
+  const { code } = asPageError(thrown);
+  if (code === "other" || !isWord(`error.${code}`)) console.error(thrown);
+  return { kind: "error", code, words: () => errorText(code) };
+}
+
+function write() {
+  const notice = byId("notice", HTMLDivElement);
+  const shown = [...notices.values()].at(-1);
+  notice.hidden = shown === undefined;
+  place(notice);
+  if (!shown) return;
+  const { title, hint } = shown.words();
+  notice.dataset["kind"] = shown.kind;
+  notice.dataset["code"] = shown.code;
+  byId("notice-title", HTMLParagraphElement).textContent = title;
+  byId("notice-hint", HTMLParagraphElement).textContent = hint;
+}
+
+/** Position of the notice while no dialog is open. */
+let placeholder: Comment | undefined;
+
+/** Moves the notice into an open modal dialog, because elements outside it are inert. */
+function place(notice: HTMLElement) {
+  if (!placeholder) {
+    placeholder = document.createComment("notice");
+    notice.before(placeholder);
+  }
+  const dialog = [...document.querySelectorAll("dialog:modal")].at(-1);
+  if (dialog && !notice.hidden) {
+    if (notice.parentElement === dialog) return;
+    dialog.append(notice);
+    notice.popover = "manual";
+    notice.showPopover();
+  } else if (notice.popover) {
+    notice.popover = null;
+    placeholder.after(notice);
+  }
+}
+
+/** Translated text of an error; messages of the modules are English and for developers. */
+function errorText(code: string) {
+  const key = `error.${code}`;
+  const known = isWord(key) ? key : "error.other";
+  return { title: t(known), hint: t(hintKey(known)) };
+}
+
+/** @param key key of an error's text */
+function hintKey(key: string): WordKey {
+  const hint = `${key}.hint`;
+  const unsaved = `${hint}.unkept`;
+  if (!savesWork && isWord(unsaved)) return unsaved;
+  return isWord(hint) ? hint : "error.other.hint";
+}

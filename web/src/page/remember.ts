@@ -1,0 +1,25 @@
+/** Choices of this visit, for browsers without storage. */
+const chosen = new Map();
+
+/** Returns a choice of this or an earlier visit. */
+export function remembered(name: string): string | undefined {
+  return chosen.get(name) ?? stored(name);
+}
+
+/** Stores a choice for later visits, or for this one if the browser refuses. */
+export function remember(name: string, choice: string) {
+  chosen.set(name, choice);
+  try {
+    localStorage.setItem(`rosto.${name}`, choice);
+  } catch {
+    // Storage may be blocked or full.
+  }
+}
+
+function stored(name: string) {
+  try {
+    return localStorage.getItem(`rosto.${name}`) ?? undefined;
+  } catch {
+    return undefined;
+  }
+}

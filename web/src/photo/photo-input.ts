@@ -1,0 +1,87 @@
+import { byId, isTyping, onAction } from "../page/dom.ts";
+import { showError, showRemark } from "../page/notice.ts";
+
+/** File names that the page can open. */
+const SUPPORTED_NAME = /\.(jpe?g|png|webp|avif|glb|rosto)$/i;
+const SUPPORTED_TYPE = /^(image\/(jpeg|png|webp|avif)|model\/gltf-binary)$/;
+const PICTURE = /^image\//;
+
+/** Sets up the file chooser, drag and drop, and paste. */
+export function setUpPhotoInput(open: (photo: Blob) => void) {
+  setUpChooser(open);
+  setUpDrop(open);
+  setUpPaste(open);
+}
+
+function setUpChooser(open: (photo: Blob) => void) {
+  const input = byId("photo-file", HTMLInputElement);
+  const zone = byId("drop-zone", HTMLDivElement);
+  const choose = () => input.click();
+  input.addEventListener("change", () => {
+    const files = [...(input.files ?? [])];
+    // Without a reset, choosing the same file again would not fire a change event.
+    input.value = "";
+    openBest(files, open);
+  });
+  zone.addEventListener("click", choose);
+  zone.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    choose();
+  });
+  onAction("choose", choose);
+}
+
+function setUpDrop(open: (photo: Blob) => void) {
+  const veil = byId("drop-veil", HTMLDivElement);
+  addEventListener("dragover", (event) => {
+    if (isTextForField(event, event.dataTransfer)) return;
+    event.preventDefault();
+    veil.hidden = false;
+  });
+  addEventListener("dragleave", (event) => {
+    if (event.relatedTarget === null) veil.hidden = true;
+  });
+  addEventListener("drop", (event) => {
+    veil.hidden = true;
+    if (isTextForField(event, event.dataTransfer)) return;
+    event.preventDefault();
+    if (event.dataTransfer) openTransfer(event.dataTransfer, open);
+  });
+}
+
+function setUpPaste(open: (photo: Blob) => void) {
+  addEventListener("paste", (event) => {
+    if (!event.clipboardData || isTextForField(event, event.clipboardData)) return;
+    event.preventDefault();
+    openTransfer(event.clipboardData, open);
+  });
+}
+
+/** Whether text is dropped or pasted into a text field. */
+function isTextForField(event: Event, transfer: DataTransfer | null) {
+  return isTyping(event) && !transfer?.types.includes("Files");
+}
+
+/** Opens a dropped or pasted file, or shows why it cannot. */
+function openTransfer(transfer: DataTransfer, open: (photo: Blob) => void) {
+  const items = [...transfer.items].filter((item) => item.kind === "file");
+  const files = items.filter((item) => !item.webkitGetAsEntry()?.isDirectory).map((item) => item.getAsFile());
+  const readable = files.filter((file) => file !== null);
+  if (readable.length > 0) openBest(readable, open);
+  else if (items.length > 0) showError({ code: "folder", message: "only folders", hint: "" });
+  else if (transfer.types.length > 0) showError({ code: "not-a-file", message: transfer.types.join(), hint: "" });
+}
+
+/** Opens the first supported file, else the first picture, and shows a remark if there were other files. */
+function openBest(files: File[], open: (photo: Blob) => void) {
+  const best = files.find(isSupported) ?? files.find(({ type }) => PICTURE.test(type)) ?? files[0];
+  if (!best) return;
+  open(best);
+  // After open(), which dismisses earlier notices.
+  if (files.length > 1) showRemark("one-of-several", { n: files.length, name: best.name });
+}
+
+function isSupported({ name, type }: File) {
+  return SUPPORTED_TYPE.test(type) || SUPPORTED_NAME.test(name);
+}

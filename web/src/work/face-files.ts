@@ -1,0 +1,77 @@
+import { leadPhotoOf } from "./face.ts";
+import type { PhotoType } from "../worker/protocol.ts";
+import type { Host } from "../viewport/host.ts";
+import type { VisionClient } from "../photo/vision-client.ts";
+import type { Face } from "./face.ts";
+import type { FileOptions, SolidFacts, WrittenFile } from "../../wasm/rosto-vision-web.js";
+
+/** Name of the files in a zip archive. */
+const BUNDLED_NAME = "face";
+
+/** Error code if the worker dies. */
+const NOT_WRITTEN = "file-not-written";
+
+/** Files of the open face, with its current edits. The worker makes them, to keep the main thread responsive. */
+export class FaceFiles {
+  #host;
+  #vision;
+  #opening;
+
+  constructor(host: Host, vision: VisionClient, opening: { remember: () => Face | undefined; }) {
+    this.#host = host;
+    this.#vision = vision;
+    this.#opening = opening;
+  }
+
+  /**
+   * A mesh, or a zip archive if there are companion files.
+   *
+   * @param format such as "glb"
+   */
+  async mesh(format: string, options: FileOptions): Promise<WrittenFile> {
+    const { face, files } = this.#open();
+    const all = { "texture-size": this.#textureSize(), ...options };
+    return this.#vision.perform({ type: "write", face, format, options: all, name: BUNDLED_NAME }, files, NOT_WRITTEN);
+  }
+
+  async project(): Promise<Uint8Array<ArrayBuffer>> {
+    const { face, files } = this.#open();
+    return this.#vision.perform({ type: "write-project", face }, files, NOT_WRITTEN);
+  }
+
+  /** Measures of the body for printing; undefined if only the surface is exported. */
+  async solidFacts(options: FileOptions): Promise<SolidFacts | undefined> {
+    const { face } = this.#open();
+    return this.#vision.perform({ type: "solid-facts", face, options }, [], "worker-died");
+  }
+
+  /** The lead photo with the edits, upright and in sRGB, without metadata such as its location. */
+  async editedPhoto(mediaType: PhotoType): Promise<Blob> {
+    const { face, lead } = this.#open();
+    const { falloffBand } = this.#state();
+    return this.#vision.perform({ type: "edited-photo", face, lead, falloffBand, mediaType }, [lead.source], "photo-not-written");
+  }
+
+  /** The whole-face texture. */
+  async texture(): Promise<ImageBitmap> {
+    const { face, files } = this.#open();
+    return this.#vision.perform({ type: "texture", face, size: this.#textureSize() }, files, "worker-died");
+  }
+
+  /** The open face in the form of a worker request. Throws `no-face` without one. */
+  #open() {
+    const face = this.#opening.remember();
+    if (!face) throw { code: "no-face", message: "no face is open", hint: "" };
+    const { photos, edits, pictures, files } = face;
+    return { face: { photos, edits, pictures }, files, lead: leadPhotoOf(face) };
+  }
+
+  #textureSize() {
+    return this.#state().chosen["texture-size"] ?? "";
+  }
+
+  /** The state; throws `restarting` during a restart. */
+  #state() {
+    return this.#host.answer((studio) => studio.state());
+  }
+}

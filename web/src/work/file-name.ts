@@ -1,0 +1,41 @@
+/** Stem for pictures without a name, such as pasted ones. */
+const DEFAULT_STEM = "face";
+
+/** Longer stems are truncated: file systems allow about 255 bytes, including the suffix and extension. */
+const MAX_LENGTH = 80;
+
+/** Characters that file systems reject, and bidirectional controls, which can disguise the extension. */
+const FORBIDDEN = /[<>:"/\\|?*\p{Cc}\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu;
+
+/** Device names on Windows, reserved with any extension. */
+const RESERVED = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
+
+/** Generic name given by clipboards and iPhone cameras. */
+const GENERIC = /^image$/i;
+
+/** Vertex count that the page appends to the name of a subdivided mesh. */
+const VERTEX_COUNT = /-\d{3,6}$/;
+
+/** A file's name without its extension, sanitised for use in other file names. */
+export function stemOf(file: Blob) {
+  const name = file instanceof File ? file.name : "";
+  const stem = [...name.replace(/\.[^.]*$/, "").replace(FORBIDDEN, "")].slice(0, MAX_LENGTH).join("");
+  const tidy = stem.replace(/^[\s.]+|[\s.]+$/g, "");
+  return tidy === "" || RESERVED.test(tidy) || GENERIC.test(tidy) ? DEFAULT_STEM : tidy;
+}
+
+/** Like {@link stemOf}, without the vertex count that the page appends on export. */
+export function stemOfMesh(file: Blob) {
+  return stemOf(file).replace(VERTEX_COUNT, "") || DEFAULT_STEM;
+}
+
+/**
+ * Name of an exported file.
+ *
+ * @param extension without the dot
+ * @param suffix vertex count of a subdivided mesh, or the content of a picture
+ */
+export function fileName(face: { name?: string | undefined; } | undefined, extension: string, suffix?: number | string) {
+  const stem = face?.name ?? DEFAULT_STEM;
+  return suffix === undefined ? `${stem}.${extension}` : `${stem}-${suffix}.${extension}`;
+}

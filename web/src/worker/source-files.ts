@@ -1,0 +1,50 @@
+/** Reads photos and saved files for the module. */
+
+import { checkLength } from "../../wasm/rosto-vision-web.js";
+import { asPageError } from "../page/page-error.ts";
+import { bytesOf } from "../work/bytes.ts";
+import { filesWith } from "../work/face.ts";
+import type { SourceFile } from "../work/face.ts";
+import { decodeWithBrowser } from "./browser-decoder.ts";
+import type { Vision } from "../../wasm/rosto-vision-web.js";
+
+/** Rosto's projects and GLBs are far smaller; larger files are not read into memory. */
+const MAX_SAVED_BYTES = 400_000_000;
+
+/** Starts of a GLB and of a project. No photo starts like this. */
+const SAVED = /^(glTF|\s*\{)/;
+const START_BYTES = 16;
+
+/** Reads a file, if it is not too large. */
+export async function readFile(file: Blob) {
+  const isSaved = SAVED.test(new TextDecoder().decode(await bytesOf(file.slice(0, START_BYTES))));
+  if (!isSaved) checkLength(file.size);
+  else if (file.size > MAX_SAVED_BYTES) throw { code: "too-many-bytes", message: `${file.size} bytes`, hint: "" };
+  return { bytes: await bytesOf(file), isSaved };
+}
+
+/**
+ * Decodes a file. Falls back to the browser's decoder for formats that the module does not read.
+ *
+ * @param bytes of the file
+ * @param decode `original`: the file, if the browser decoded it
+ */
+export async function decoded<T>(file: Blob, bytes: Uint8Array, decode: (bytes: Uint8Array, original?: Uint8Array) => T): Promise<T> {
+  try {
+    return decode(bytes);
+  } catch (error) {
+    const converted = asPageError(error).code === "unsupported-format" ? await decodeWithBrowser(file) : undefined;
+    if (!converted) throw error;
+    return decode(await bytesOf(converted), bytes);
+  }
+}
+
+/** Decodes pictures that the module does not hold: it keeps only the latest, and a restarted worker has none. */
+export async function keepPictures(vision: Vision, pictures: string[], files: SourceFile[]) {
+  if (pictures.every((picture) => vision.has(picture))) return;
+  // All, because keeping one file may drop the pictures of another.
+  for (const { key, file } of filesWith(files, pictures)) {
+    const { bytes } = await readFile(file);
+    await decoded(file, bytes, (readable, original) => vision.keep(key, readable, original));
+  }
+}
