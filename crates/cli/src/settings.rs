@@ -1,5 +1,5 @@
 use glam::DVec2;
-use rosto_face::PhotoLens;
+use rosto_face::{DISTANCES_M, PhotoLens};
 use rosto_studio::FALLOFF_BAND_SHARES;
 use rosto_warp::Dab;
 
@@ -13,7 +13,8 @@ pub fn distance(text: &str) -> Result<PhotoLens, String> {
     const CM_PER_M: f64 = 100.0;
     let distance_m = text.parse::<f64>().ok().map(|distance_cm| distance_cm / CM_PER_M);
     let lens = distance_m.and_then(|distance_m| PhotoLens::Distance(distance_m).checked().ok());
-    lens.ok_or_else(|| "expected a distance from 10 to 2000 cm".to_owned())
+    let [least, most] = [DISTANCES_M.start(), DISTANCES_M.end()].map(|metres| CM_PER_M * metres);
+    lens.ok_or_else(|| format!("expected a distance from {least} to {most} cm"))
 }
 
 /// Parses a viewing distance in cm; returns metres.

@@ -13,11 +13,16 @@ impl Topology {
     /// boundary, which is then returned as an open path.
     pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
         let mut rim = Rim::of(self);
-        let mut loops = Vec::new();
+        let mut found = Vec::new();
         while let Some(side) = rim.open.pop_first() {
-            rim.walk(side, &mut loops);
+            rim.walk(side, &mut found);
         }
-        loops.sort_by_key(|cycle: &Vec<u32>| (Reverse(cycle.len()), cycle.iter().min().copied()));
+        let rank = |cycle: &Vec<u32>| (Reverse(cycle.len()), cycle.iter().min().copied());
+        let mut loops: Vec<Vec<u32>> = Vec::with_capacity(found.len());
+        // Inserted in order, as a sort of lists takes 30 kB of code.
+        for cycle in found {
+            loops.insert(loops.partition_point(|other| rank(other) <= rank(&cycle)), cycle);
+        }
         loops
     }
 }

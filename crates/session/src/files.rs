@@ -24,6 +24,8 @@ pub(crate) struct Files {
     pub stem: String,
     pub file: File,
     pub body: Body,
+    /// Name of the file that is being made; the GLB has its own state.
+    pub making: Option<String>,
     pub photo: PhotoFile,
     /// Side of the whole-face texture.
     pub texture_side_px: Option<u32>,
@@ -142,6 +144,8 @@ pub enum Report {
     },
     /// Making a GLB has failed.
     GlbFailed,
+    /// The name of the mesh file, other than a GLB, that is being made; none when it is done, cancelled or has failed.
+    Making(Option<String>),
     /// The printed body has been measured; a surface has no measures.
     BodyMeasured(Option<BodyFacts>),
     /// Making the printed body has failed.
@@ -161,6 +165,7 @@ impl Default for Files {
             stem: DEFAULT_STEM.to_owned(),
             file: File::default(),
             body: Body::default(),
+            making: None,
             photo: PhotoFile::default(),
             texture_side_px: None,
         }
@@ -180,6 +185,7 @@ impl Files {
             }
             Report::GlbMade { .. } => {}
             Report::GlbFailed => self.file = File::None,
+            Report::Making(name) => self.making = name,
             Report::BodyMeasured(facts) => self.body = Body { facts, ..Body::default() },
             Report::BodyFailed(error) => self.body = Body { error: Some(error), ..Body::default() },
             Report::WritingPhoto(is_writing) => self.photo.is_writing = is_writing,

@@ -46,7 +46,9 @@ pub use gesture::Hovered;
 pub use live_preview::LivePreview;
 pub use message::{Applied, Catalogue, LightSettings, PhotoState, State, Tick};
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
-pub use panel::{ChoiceLook, Control, GroupLook, Level, MAX_LISTED, PanelDiff, Part, Phrase, Tone, Widget};
+pub use panel::{
+    ChoiceLook, Control, GroupLook, Held, Key, Level, MAX_LISTED, PanelDiff, Part, Phrase, Place, Tone, Widget,
+};
 pub use range::Range;
 pub use rows::Row;
 pub use saved::{MAX_ENTRIES, MAX_SHOWN_DENSITY};

@@ -12,6 +12,7 @@ mod face;
 mod formats;
 mod history;
 mod in_photo;
+mod keys;
 mod method;
 mod name;
 mod phrase;
@@ -25,16 +26,21 @@ mod widget;
 use serde::Serialize;
 use tsify::Tsify;
 
-use crate::{Changed, Intent, Session, SessionError, Value};
+use crate::{Changed, Intent, Range, Session, SessionError, Value};
 pub(crate) use expressions::shown;
 pub(crate) use face::slid;
 pub use history::MAX_LISTED;
+pub(crate) use keys::KEYS;
+pub use keys::{Held, Key, Place};
 pub use phrase::{Part, Phrase};
 pub(crate) use selection::moved;
 pub use widget::{ChoiceLook, Control, GroupLook, Level, Tone, Widget};
 
 const PER_CENT: f64 = 100.0;
 const CM_PER_M: f64 = 100.0;
+
+/// Range of distances between camera and face, in cm. Selfies are not taken from closer; farther, no change is visible.
+const DISTANCE_CM: Range = Range { min: 20.0, max: 300.0, step: 1.0, neutral: 50.0 };
 
 /// A section, and whether the ticks of an edit change it.
 type Section = (fn(&Session) -> Widget, bool);
@@ -87,7 +93,10 @@ impl Session {
     pub(crate) fn resolved(&self, intent: Intent) -> Result<Intent, SessionError> {
         match intent {
             Intent::Set(id, value) => self.widget_intent(id, value),
-            Intent::Push(id) => self.widget_intent(id, Value::Flag(true)),
+            Intent::Push(id) => match Key::intent(&id, self) {
+                Some(intent) => Ok(intent),
+                None => self.widget_intent(id, Value::Flag(true)),
+            },
             other => Ok(other),
         }
     }

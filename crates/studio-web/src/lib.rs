@@ -8,7 +8,6 @@ mod error;
 mod files;
 mod live_preview;
 mod messages;
-mod paper;
 mod photo_panel;
 mod photo_warp;
 mod photos;
@@ -26,7 +25,6 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 pub use messages::catalogue;
-pub use paper::{PaperClaims, PaperMethod, PaperResults, PaperRow, PaperRun};
 pub use renderer::{Renderer, create_renderer};
 pub use snapshot::Snapshot;
 pub use studio::Studio;

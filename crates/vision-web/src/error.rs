@@ -5,6 +5,7 @@ use rosto_export::{ExportError, ReopenError, SolidError};
 use rosto_face::FaceError;
 use rosto_landmarks::LandmarksError;
 use rosto_photo::PhotoError;
+use rosto_studio::StudioError;
 use wasm_bindgen::JsValue;
 
 /// Result type of the façade's methods.
@@ -73,6 +74,11 @@ pub(crate) fn of_request(error: rosto::Error) -> Error {
         }
         _ => thrown("bad-history", &message, "Open an earlier copy of the file, or the photo."),
     }
+}
+
+/// Converts an error of an operator or a solve.
+pub(crate) fn of_studio(error: &StudioError) -> Error {
+    thrown("cannot-solve", &error.to_string(), "Open another photo.")
 }
 
 fn of_export(error: &ExportError) -> Error {

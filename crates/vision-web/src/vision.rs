@@ -1,7 +1,7 @@
 use js_sys::{Error, Function, Uint8Array};
 use rosto::{FaceFinder, FaceMesh, FindOptions, Format, LandmarkNetwork, Limits, Photo, PhotoEdit, PhotoRequest};
 use rosto::{SavedFace, TextureSize, decode};
-use rosto_face::MAX_PICTURE_SIDE_PX;
+use rosto_face::{FaceModel, MAX_PICTURE_SIDE_PX, Triangulation};
 use rosto_landmarks::Follower;
 use tsify::Ts;
 use wasm_bindgen::prelude::*;
@@ -10,6 +10,7 @@ use crate::error::{self, Result, require};
 use crate::file_options::FileOptions;
 use crate::messages::{FaceRequest, OpenedFile, RawPicture, SolidFacts, WrittenFile, received, sent};
 use crate::opened::{self, Decoded};
+use crate::paper::PaperRun;
 use crate::pictures::Pictures;
 use crate::progress::{Progress, Step};
 
@@ -165,6 +166,16 @@ impl Vision {
         let mesh = FaceMesh::reopen(saved(&face)?).map_err(error::of_request)?;
         let facts = mesh.solid_facts(options.solid).map_err(error::of_request)?;
         facts.map(|facts| sent(&facts.into())).transpose()
+    }
+
+    /// Creates the paper's experiment on the unedited face: `runs` random choices of vertices and anchors per method,
+    /// with seeds from `seed`.
+    ///
+    /// # Errors
+    /// Throws `bad-face` or `cannot-solve`.
+    pub fn paper(&self, face: Ts<FaceRequest>, runs: u32, seed: u32) -> Result<PaperRun> {
+        let face = FaceModel::from_photos(saved(&received(&face)?)?.photos, Triangulation::Tessellation);
+        PaperRun::new(&face.map_err(|reason| error::of_request(reason.into()))?, runs.max(1), seed)
     }
 
     /// Applies the edits to the lead photo, in any size (the bytes of a JPEG, PNG or WebP file). `falloff_band` is the

@@ -113,9 +113,8 @@ impl FaceModel {
 
     /// The photos, in input order.
     pub fn photos(&self) -> Vec<&Observation> {
-        let mut views: Vec<&View> = self.views.iter().collect();
-        views.sort_by_key(|view| view.photo);
-        views.into_iter().map(|view| &view.observation).collect()
+        let view_of = |photo| self.views.iter().find(|view| view.photo == photo);
+        (0..self.views.len()).filter_map(view_of).map(|view| &view.observation).collect()
     }
 
     /// Leaves out each photo in turn, and measures how well the others predict it; empty for fewer than three.

@@ -5,10 +5,11 @@ use serde::Serialize;
 use tsify::Tsify;
 
 use crate::edit_options::RADIUS_MM;
+use crate::panel::{KEYS, Key};
 use crate::range::Range;
 
 /// Ids and ranges, which do not change. The page has the words.
-#[derive(Debug, Clone, PartialEq, Serialize, Tsify)]
+#[derive(Debug, Clone, Serialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct Catalogue {
     /// Ids of the landmarks, in order, such as "left-mouth-corner" or "left-cheek-427".
@@ -23,6 +24,8 @@ pub struct Catalogue {
     pub printed_formats: Vec<&'static str>,
     /// Default density of the mesh.
     pub default_density: u32,
+    /// The keys.
+    pub keys: [Key; KEYS.len()],
 }
 
 impl Default for Catalogue {
@@ -35,6 +38,7 @@ impl Default for Catalogue {
             formats: ids(&mut Format::ALL.into_iter()),
             printed_formats: ids(&mut Format::ALL.into_iter().filter(|format| format.supports(ExportOption::Solid))),
             default_density: SMOOTH_DENSITY,
+            keys: KEYS,
         }
     }
 }

@@ -23,14 +23,13 @@ impl OpenFace {
     pub fn photos(&self) -> Vec<PhotoFacts> {
         let views = self.model.views();
         let turns: Vec<Option<Turn>> = views.iter().map(|view| Turn::of(view.camera.pose())).collect();
-        let facts = views.iter().enumerate().map(|(index, view)| {
-            let (turn, yaw_deg) = (turns[index], view.camera.pose().yaw_deg);
+        let facts = |index: usize| {
+            let (turn, yaw_deg) = (turns[index], views[index].camera.pose().yaw_deg);
             let adds = index == 0 || (turn.is_some() && !turns[..index].contains(&turn));
-            (view.photo, PhotoFacts { leads: index == 0, yaw_deg, turn, adds })
-        });
-        let mut facts: Vec<_> = facts.collect();
-        facts.sort_by_key(|(photo, _)| *photo);
-        facts.into_iter().map(|(_, facts)| facts).collect()
+            PhotoFacts { leads: index == 0, yaw_deg, turn, adds }
+        };
+        let index_of = |photo| views.iter().position(|view| view.photo == photo);
+        (0..views.len()).filter_map(index_of).map(facts).collect()
     }
 
     /// The recommended turns of the head that no photo shows.

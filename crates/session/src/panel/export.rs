@@ -12,7 +12,9 @@ use crate::{Choice, Intent, Session};
 
 /// Files and pictures of the face.
 pub(super) fn section(session: &Session) -> Widget {
-    let others = [print::fold(session), photo(session), other_formats(session)].into_iter().chain(pictures(session));
+    let others = [print::fold(session), making(session), photo(session), other_formats(session)]
+        .into_iter()
+        .chain(pictures(session));
     let project = [page_button("save-project", "work.save"), help("work.help")];
     let widgets = glb(session).into_iter().chain(others).chain(project).collect();
     group("section.export", GroupLook::Plain, widgets).on("export")
@@ -129,6 +131,17 @@ fn verdict(session: &Session) -> Widget {
     }
     let counts = counts.into_iter().flatten();
     text("verdict", Some(counts.fold(phrase, |phrase, (name, count)| phrase.number(name, count.into(), 0))), tone)
+}
+
+/// The file that is being made, which can be cancelled.
+fn making(session: &Session) -> Widget {
+    let name = session.files.making.as_ref();
+    let text_of = |name: &String| Phrase::word("export.making.file").with("file", name.clone());
+    let widgets = vec![
+        text("export.making.file", name.map(text_of), Tone::Busy),
+        page_button("cancel-file", "cancel").hidden(name.is_none()),
+    ];
+    group("export.making", GroupLook::Row, widgets).hidden(name.is_none())
 }
 
 fn photo(session: &Session) -> Widget {

@@ -1,10 +1,10 @@
 use super::build::{button, check, group, help, slider, text};
 use super::widget::{GroupLook, Tone, Widget};
-use super::{CM_PER_M, PER_CENT, Phrase};
+use super::{CM_PER_M, DISTANCE_CM, PER_CENT, Phrase};
 use crate::{BRUSH_PX, FALLOFF_BAND, Intent, OpenFace, Range, Session};
 
-/// Range of the viewing distance, in cm. Selfies are not taken from closer; farther, no change is visible.
-const SEEN_FROM_CM: Range = Range { min: 20.0, max: 300.0, step: 1.0, neutral: 150.0 };
+/// Neutral viewing distance, in cm.
+const SEEN_FROM_CM: f64 = 150.0;
 
 /// The note about limited edits appears above this share of the photo's longer side.
 const MIN_LIMIT_SHARE: f64 = 0.006;
@@ -20,12 +20,13 @@ pub(super) fn section(session: &Session) -> Widget {
         step: PER_CENT * FALLOFF_BAND.step,
         neutral: PER_CENT * FALLOFF_BAND.neutral,
     };
-    let seen_from_cm = if seen_from_m.is_finite() { CM_PER_M * seen_from_m } else { SEEN_FROM_CM.max };
+    let seen_from_cm = if seen_from_m.is_finite() { CM_PER_M * seen_from_m } else { DISTANCE_CM.max };
+    let distance = Range { neutral: SEEN_FROM_CM, ..DISTANCE_CM };
     group(
         "section.in-photo",
         GroupLook::Section,
         vec![
-            slider("in-photo.distance", SEEN_FROM_CM, "cm", seen_from_cm, |cm| Intent::SeenFrom(Some(cm / CM_PER_M))),
+            slider("in-photo.distance", distance, "cm", seen_from_cm, |cm| Intent::SeenFrom(Some(cm / CM_PER_M))),
             help("in-photo.distance.help"),
             button("in-photo.as-taken", Intent::SeenFrom(None)).enabled(!is_as_taken),
             slider("in-photo.ring", band, "%", PER_CENT * session.view().falloff_band, |share| {

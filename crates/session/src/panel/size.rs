@@ -4,13 +4,10 @@ use rosto_studio::EditTarget;
 use super::build::{button, group, slider, text};
 use super::name::word;
 use super::widget::{Control, GroupLook, Tone, Widget};
-use super::{CM_PER_M, Phrase};
+use super::{CM_PER_M, DISTANCE_CM, Phrase};
 use crate::open_face::MM_PER_M;
 use crate::panel_state::Tape;
-use crate::{Intent, OpenFace, Range, Session};
-
-/// Range of the distance from which the photo was taken, in cm.
-const DISTANCE_CM: Range = Range { min: 15.0, max: 300.0, step: 1.0, neutral: 50.0 };
+use crate::{Intent, OpenFace, Session};
 
 /// How the photo was taken, the size of the face, and a measuring tape.
 pub(super) fn section(session: &Session) -> Widget {

@@ -153,6 +153,8 @@ pub enum Tone {
     Help,
     /// A change that screen readers announce.
     Status,
+    /// Work that goes on for some time.
+    Busy,
     /// A success.
     Success,
     /// An error.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::DVec3;
 use proptest::prelude::*;
 use rosto_session::{
-    Changed, Control, GroupLook, Intent, MAX_LISTED, Part, Phrase, Selection, SelectionMode, Session, Value, Widget,
+    Catalogue, Changed, Control, GroupLook, Intent, MAX_LISTED, Part, Phrase, Selection, SelectionMode, Session, Value, Widget,
 };
 use rosto_studio::FaceSlider;
 use serde_json::Value as Json;
@@ -254,4 +254,24 @@ proptest! {
             prop_assert_eq!(&shown, &session.panel());
         }
     }
+}
+
+/// Keys on the page and on the canvas, as the page matches them.
+#[test]
+fn each_key_has_one_meaning_and_acts() {
+    let keys = Catalogue::default().keys;
+    let ids: BTreeSet<_> = keys.iter().map(|key| key.id).collect();
+    let meanings: BTreeSet<_> = keys.iter().map(|key| format!("{} {:?} {:?}", key.key, key.with, key.place)).collect();
+    assert_eq!([ids.len(), meanings.len()], [keys.len(); 2]);
+    for key in keys {
+        let mut session = edited();
+        session.stage_mut().camera_mut().resize(640, 480);
+        session.apply(Intent::Push(key.id.to_owned())).unwrap_or_else(|error| panic!("{}: {error}", key.id));
+    }
+    let mut session = edited();
+    let redone = ["key.undo", "key.redo"].map(|id| {
+        session.apply(Intent::Push(id.to_owned())).unwrap();
+        session.state().offset_mm
+    });
+    assert_ne!(redone[0], redone[1]);
 }

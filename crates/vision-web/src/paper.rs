@@ -2,21 +2,23 @@ use std::time::Duration;
 
 use glam::DVec3;
 use rosto_face::{FaceModel, Observation, PhotoLens, Triangulation};
+use rosto_studio::ConstraintKind;
 use rosto_studio::paper::{
     Claims, DEGREES, Experiment, Method, MethodOutcome, OFFSETS, Plan, PlotWords, TABLE_1, TableRow, Task, Trial, svg,
 };
-use rosto_studio::{ConstraintKind, StudioError};
 use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-use crate::Studio;
-use crate::error::Result;
-use crate::sent::sent;
+use crate::error::{Result, of_request, of_studio};
+use crate::messages::sent;
 
-/// The paper's experiment on the open face; independent of its edits.
+/// Width and height of the plot.
+const PLOT_PX: [f64; 2] = [272.0, 220.0];
+
+/// The paper's experiment on a face; independent of its edits.
 ///
-/// The page measures time: it calls `repeat` until a step can be timed, then `goOn` with the time per repetition, until
+/// The caller measures time: it calls `repeat` until a step can be timed, then `goOn` with the time per repetition, until
 /// `share` is 1. `free()` it after use.
 #[wasm_bindgen]
 pub struct PaperRun {
@@ -33,18 +35,6 @@ pub struct PaperRun {
 }
 
 #[wasm_bindgen]
-impl Studio {
-    /// Creates the experiment: `runs` random choices of vertices and anchors per method, with seeds from `seed`.
-    ///
-    /// # Errors
-    /// `no-face` or `cannot-solve`.
-    #[wasm_bindgen(js_name = paperRun)]
-    pub fn paper_run(&self, runs: u32, seed: u32) -> Result<PaperRun, JsValue> {
-        Ok(PaperRun::new(self.face()?.model(), runs.max(1), seed)?)
-    }
-}
-
-#[wasm_bindgen]
 impl PaperRun {
     /// Completed share of the experiment, 0..1.
     #[wasm_bindgen(getter)]
@@ -57,7 +47,7 @@ impl PaperRun {
     ///
     /// # Errors
     /// `cannot-solve`.
-    pub fn repeat(&mut self, times: u32) -> Result<(), JsValue> {
+    pub fn repeat(&mut self, times: u32) -> Result<()> {
         for _ in 0..times {
             self.step()?;
         }
@@ -78,29 +68,17 @@ impl PaperRun {
     }
 
     /// Returns the results so far.
-    pub fn results(&self) -> Result<Ts<PaperResults>, JsValue> {
-        Ok(sent(&PaperResults { table: self.table(), methods: self.methods(), claims: self.claims() })?)
-    }
-
-    /// SVG plot of time against degree and offset, for the paper's method.
-    pub fn plot(
-        &self,
-        #[wasm_bindgen(js_name = widthPx)] width_px: f64,
-        #[wasm_bindgen(js_name = heightPx)] height_px: f64,
-        title: String,
-        degree: String,
-        small: String,
-        large: String,
-    ) -> String {
-        svg(self.papers_trials(), [width_px, height_px], &PlotWords { title, degree, small, large })
+    pub fn results(&self) -> Result<Ts<PaperResults>> {
+        sent(&PaperResults { table: self.table(), methods: self.methods(), claims: self.claims(), plot: self.plot() })
     }
 }
 
 impl PaperRun {
-    fn new(face: &FaceModel, runs: u32, seed: u32) -> Result<Self> {
+    /// Creates the experiment: `runs` random choices of vertices and anchors per method, with seeds from `seed`.
+    pub(crate) fn new(face: &FaceModel, runs: u32, seed: u32) -> Result<Self> {
         let positions_image = face.positions_image();
         let experiment = Experiment::new(Triangulation::Tessellation.topology(), positions_image.to_vec())
-            .map_err(StudioError::from)?;
+            .map_err(|reason| of_studio(&reason.into()))?;
         let seeds = (0..u64::from(runs)).map(|run| u64::from(seed) + run);
         let of_method = |method| seeds.clone().map(move |seed| (method, seed));
         let trials = Method::all().into_iter().flat_map(of_method);
@@ -112,12 +90,12 @@ impl PaperRun {
 
     fn step(&mut self) -> Result<()> {
         if self.generation_ms.is_none() {
-            FaceModel::new(self.face.clone(), Triangulation::Tessellation)?;
+            FaceModel::new(self.face.clone(), Triangulation::Tessellation).map_err(|error| of_request(error.into()))?;
             return Ok(());
         }
         let Some(trial) = self.trials.get(self.place) else { return Ok(()) };
         let Some(plan) = trial.next_edit(&self.experiment) else { return Ok(()) };
-        let edited = trial.edit(&self.experiment, &plan).map_err(StudioError::from)?;
+        let edited = trial.edit(&self.experiment, &plan).map_err(|reason| of_studio(&reason.into()))?;
         self.pending = Some((plan, edited));
         Ok(())
     }
@@ -161,6 +139,14 @@ impl PaperRun {
         PaperClaims { degree_ratio, offset_ratio, smooth, edits }
     }
 
+    /// Plot of time against degree and offset, for the paper's method.
+    fn plot(&self) -> String {
+        let word = |name: &str| format!("paper.plot.{name}");
+        let words =
+            PlotWords { title: word("title"), degree: word("degree"), small: word("small"), large: word("large") };
+        svg(self.papers_trials(), PLOT_PX, &words)
+    }
+
     fn papers_trials(&self) -> &[Trial] {
         &self.trials[..self.runs]
     }
@@ -175,6 +161,8 @@ pub struct PaperResults {
     pub methods: Vec<PaperMethod>,
     /// The paper's claims as numbers, for its method.
     pub claims: PaperClaims,
+    /// SVG plot of time against degree and offset, for the paper's method. Its texts are ids of the page's words.
+    pub plot: String,
 }
 
 /// A row of the paper's Table 1, with the time measured here.
