@@ -103,7 +103,7 @@ test("the live preview handles lost faces, worker crashes and hidden pages", { t
   await page.evaluate(() => (window.isBlank = false));
   await page.waitForSelector("#live-save:enabled");
 
-  await page.workers()[0].evaluate(crashBefore, "followed");
+  await page.workers()[0].evaluate(crashBefore, "follow");
   assert.equal((await visitor.notice()).code, "worker-died");
   await page.waitForSelector("#live-save:enabled");
 

@@ -43,6 +43,7 @@ useVersion();
 await loadWords(remembered("language") ?? navigator.language);
 setUpLanguage();
 setUpNotice();
+if (!isSecureContext) showError({ code: "needs-https", message: location.href, hint: "" });
 setUpProgress();
 setUpHints();
 setUpTabs();

@@ -270,7 +270,7 @@ export class Opening {
   }
 
   #bitmapsOf({ pictures, files }: FacePhoto) {
-    return Promise.all(pictures.map((picture) => this.#vision.picture(picture, files)));
+    return Promise.all(pictures.map((picture) => this.#vision.request("picture", { picture, files })));
   }
 
   /** Opens a face in the studio, atomically and as the last step that can fail. */

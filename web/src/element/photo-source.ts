@@ -17,5 +17,11 @@ export function pictureIn(element: HTMLElement) {
 
 function nameIn(url: string) {
   const { protocol, pathname } = new URL(url, location.href);
-  return protocol.startsWith("http") ? decodeURIComponent(pathname.split("/").at(-1) ?? "") : "";
+  const name = protocol.startsWith("http") ? (pathname.split("/").at(-1) ?? "") : "";
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    // Not encoded, as in 100%.jpg.
+    return name;
+  }
 }

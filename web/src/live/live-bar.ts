@@ -1,4 +1,4 @@
-import { byId, onAction } from "../page/dom.ts";
+import { byId } from "../page/dom.ts";
 import { onLocaleChange, t, formatNumber } from "../words/words.ts";
 import type { Figures } from "./frame-stats.ts";
 import type { WordKey } from "../words/words.ts";
@@ -6,58 +6,47 @@ import type { WordKey } from "../words/words.ts";
 /** Update interval that keeps the figures readable. */
 const FIGURES_INTERVAL_MS = 500;
 
-/** The bar over the live preview: status, buttons and optional figures. */
-export class LiveBar {
-  #bar = byId("live", HTMLElement);
-  #status = byId("live-status", HTMLParagraphElement);
-  #save = byId("live-save", HTMLButtonElement);
-  #toggle = byId("live-figures-shown", HTMLButtonElement);
-  #line = byId("live-figures", HTMLParagraphElement);
-  #read;
-  #timer = 0;
-  #word: WordKey | undefined;
+/** Sets up the bar over the live preview: status, buttons and optional figures. */
+export function liveBar(save: () => void, read: () => Figures | undefined) {
+  const saveButton = byId("live-save", HTMLButtonElement);
+  const toggle = byId("live-figures-shown", HTMLButtonElement);
+  const line = byId("live-figures", HTMLParagraphElement);
+  let timer = 0;
+  let status: WordKey | undefined;
 
-  constructor({ save, close, figures }: { save: () => void; close: () => void; figures: () => Figures | undefined; }) {
-    this.#read = figures;
-    this.#save.addEventListener("click", save);
-    onAction("close-live-preview", close);
-    this.#toggle.addEventListener("click", () => this.#showFigures(Boolean(this.#line.hidden)));
-    onLocaleChange(() => this.#write());
+  saveButton.addEventListener("click", save);
+  toggle.addEventListener("click", () => showFigures(Boolean(line.hidden)));
+  onLocaleChange(write);
+
+  function showFigures(shown: boolean) {
+    line.hidden = !shown;
+    toggle.setAttribute("aria-pressed", String(shown));
+    clearInterval(timer);
+    if (shown) timer = setInterval(write, FIGURES_INTERVAL_MS);
+    write();
   }
 
-  get isShown() {
-    return !this.#bar.hidden;
+  function write() {
+    byId("live-status", HTMLParagraphElement).textContent = status ? t(status) : "";
+    const figures = line.hidden ? undefined : read();
+    line.textContent = figures ? figuresText(figures) : "";
+    Object.assign(line.dataset, figures);
   }
 
-  show(shown: boolean) {
-    this.#bar.hidden = !shown;
-    document.body.toggleAttribute("data-live-preview", shown);
-    if (shown) byId("live-close", HTMLButtonElement).focus();
-    else this.#showFigures(false);
-  }
-
-  /** @param word status */
-  report(word: WordKey | undefined, canSave: boolean) {
-    this.#save.disabled = !canSave;
-    if (word === this.#word) return;
-    this.#word = word;
-    this.#write();
-  }
-
-  #showFigures(shown: boolean) {
-    this.#line.hidden = !shown;
-    this.#toggle.setAttribute("aria-pressed", String(shown));
-    clearInterval(this.#timer);
-    if (shown) this.#timer = setInterval(() => this.#write(), FIGURES_INTERVAL_MS);
-    this.#write();
-  }
-
-  #write() {
-    this.#status.textContent = this.#word ? t(this.#word) : "";
-    const figures = this.#line.hidden ? undefined : this.#read();
-    this.#line.textContent = figures ? figuresText(figures) : "";
-    Object.assign(this.#line.dataset, figures);
-  }
+  return {
+    show: (shown: boolean) => {
+      byId("live", HTMLElement).hidden = !shown;
+      document.body.toggleAttribute("data-live-preview", shown);
+      if (shown) byId("live-close", HTMLButtonElement).focus();
+      else showFigures(false);
+    },
+    report: (word: WordKey | undefined, canSave: boolean) => {
+      saveButton.disabled = !canSave;
+      if (word === status) return;
+      status = word;
+      write();
+    },
+  };
 }
 
 function figuresText({ frames, interval_ms, worker_ms, page_ms, age, jitter_px }: Figures) {

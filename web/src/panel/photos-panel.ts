@@ -119,7 +119,7 @@ export class PhotosPanel {
 
   async #thumbnail({ photos, pictures: [picture = ""], files }: FacePhoto) {
     const [{ landmarks } = { landmarks: new Float32Array() }] = viewsOf(photos);
-    const whole = await this.#vision.picture(picture, files);
+    const whole = await this.#vision.request("picture", { picture, files });
     const { x, y, side: size } = faceBox(landmarks, whole.width, whole.height);
     const side = Math.max(1, Math.round(AROUND_FACE * size));
     const side_px = Math.round(THUMBNAIL_PX * devicePixelRatio);

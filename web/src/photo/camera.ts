@@ -1,145 +1,76 @@
 import { byId, onAction } from "../page/dom.ts";
 import { showError } from "../page/notice.ts";
 import { onLocaleChange, t } from "../words/words.ts";
-import { cameraErrorCode, hasPicture, stopTracks } from "./camera-stream.ts";
+import { cameraStream, pngOf } from "./camera-stream.ts";
 
 const COUNTDOWN_S = 3;
-const CONSTRAINTS = { video: { facingMode: "user", width: { ideal: 1920 }, height: { ideal: 1080 } } };
+const WANTED = { width: { ideal: 1920 }, height: { ideal: 1080 } };
 
 /** Sets up the camera dialog. Its preview is mirrored; the photo is not. */
-export function setUpCamera(open: (photo: Blob) => void) {
-  const camera = new Camera(open);
-  onAction("camera", () => camera.start());
-}
+export function setUpCamera(openPhoto: (photo: Blob) => void) {
+  const dialog = byId("camera", HTMLDialogElement);
+  const video = byId("camera-preview", HTMLVideoElement);
+  const countdown = byId("camera-countdown", HTMLOutputElement);
+  const shutter = byId("camera-shutter", HTMLButtonElement);
+  /** Timer of the countdown; 0 before it. */
+  let timer = 0;
+  const stream = cameraStream(video, WANTED, { changed: render, lost: fail });
 
-/**
- * The camera dialog, a state machine: closed → asking → live → counting → closed; each state can return to closed.
- * The camera runs only in the states live and counting. A stream that arrives in a state other than asking is stopped.
- */
-class Camera {
-  #state: "closed" | "asking" | "live" | "counting" = "closed";
-  #dialog = byId("camera", HTMLDialogElement);
-  #video = byId("camera-preview", HTMLVideoElement);
-  #status = byId("camera-status", HTMLParagraphElement);
-  #countdown = byId("camera-countdown", HTMLOutputElement);
-  #shutter = byId("camera-shutter", HTMLButtonElement);
-  /** The running camera; its identity also detects a reopened dialog. */
-  #stream: MediaStream | undefined;
-  /** The permission prompt may outlive the dialog; when reopened, the dialog uses the pending request. */
-  #isRequesting = false;
-  #tick = 0;
-  #open;
+  onAction("camera", () => {
+    if (dialog.open) return;
+    dialog.showModal();
+    stream.open();
+    render();
+  });
+  onAction("close-camera", (event) => isFirstClick(event) && close());
+  shutter.addEventListener("click", (event) => isFirstClick(event) && count(COUNTDOWN_S));
+  dialog.addEventListener("cancel", close);
+  // Fires asynchronously: the dialog may be open again by then.
+  dialog.addEventListener("close", () => dialog.open || close());
+  video.addEventListener("resize", render);
+  addEventListener("pagehide", close);
+  onLocaleChange(render);
 
-  constructor(open: (photo: Blob) => void) {
-    this.#open = open;
-    this.#dialog.addEventListener("cancel", () => this.#close());
-    // Fires asynchronously: the dialog may be open again by then.
-    this.#dialog.addEventListener("close", () => this.#dialog.open || this.#close());
-    this.#video.addEventListener("resize", () => this.#render());
-    this.#shutter.addEventListener("click", (event) => isFirstClick(event) && this.#countDown());
-    onAction("close-camera", (event) => isFirstClick(event) && this.#close());
-    addEventListener("pagehide", () => this.#close());
-    onLocaleChange(() => this.#render());
+  function count(left_s: number) {
+    countdown.textContent = left_s > 0 ? String(left_s) : t("camera.taken");
+    if (left_s > 0) timer = setTimeout(count, 1000, left_s - 1);
+    else take().catch(fail);
+    render();
   }
 
-  /** Opens the dialog, and the camera once the browser permits it. */
-  start() {
-    if (this.#state !== "closed") return;
-    this.#setState("asking");
-    this.#dialog.showModal();
-    if (!this.#isRequesting) this.#request();
-  }
-
-  async #request() {
-    this.#isRequesting = true;
-    try {
-      const stream = await navigator.mediaDevices.getUserMedia(CONSTRAINTS);
-      if (this.#state === "asking") this.#show(stream);
-      else stopTracks(stream);
-    } catch (error) {
-      if (this.#state === "asking") this.#fail(cameraErrorCode(error), error);
-    } finally {
-      this.#isRequesting = false;
-    }
-  }
-
-  #show(stream: MediaStream) {
-    this.#stream = stream;
-    for (const track of stream.getVideoTracks()) {
-      track.addEventListener("ended", () => this.#onLost(stream));
-      // A muted camera delivers black frames.
-      for (const change of ["mute", "unmute"]) track.addEventListener(change, () => this.#render());
-    }
-    this.#setState("live");
-    this.#video.srcObject = stream;
-    this.#video.play().catch((error) => {
-      if (this.#stream === stream) this.#fail("no-camera", error);
-    });
-  }
-
-  #countDown() {
-    if (this.#state !== "live" || !this.#hasPicture) return;
-    this.#setState("counting");
-    this.#count(COUNTDOWN_S);
-  }
-
-  #count(left_s: number) {
-    this.#countdown.textContent = left_s > 0 ? String(left_s) : t("camera.taken");
-    if (left_s > 0) this.#tick = setTimeout(() => this.#count(left_s - 1), 1000);
-    else this.#take();
-  }
-
-  async #take() {
-    const stream = this.#stream;
-    if (!this.#hasPicture) return this.#onLost(stream);
-    const canvas = new OffscreenCanvas(this.#video.videoWidth, this.#video.videoHeight);
-    canvas.getContext("2d")?.drawImage(this.#video, 0, 0);
-    const photo = await canvas.convertToBlob({ type: "image/png" });
+  async function take() {
+    if (!stream.hasPicture()) throw { code: "camera-lost", message: "the camera is muted", hint: "" };
+    const ticket = timer;
+    const frame = await stream.grab();
+    const photo = frame && (await pngOf(frame));
+    frame?.close();
     // The dialog was closed meanwhile.
-    if (this.#stream !== stream) return;
-    this.#close();
-    this.#open(photo);
+    if (!photo || timer !== ticket) return;
+    close();
+    openPhoto(photo);
   }
 
-  get #hasPicture() {
-    return hasPicture(this.#stream, this.#video);
+  function fail(error: unknown) {
+    close();
+    showError(error);
   }
 
-  /** @param stream that ended: camera unplugged, or permission revoked */
-  #onLost(stream: MediaStream | undefined) {
-    if (stream && this.#stream === stream) this.#fail("camera-lost", "the camera's track ended or is muted");
+  function close() {
+    clearTimeout(timer);
+    timer = 0;
+    countdown.textContent = "";
+    stream.close();
+    dialog.close();
+    render();
   }
 
-  #fail(code: string, error: unknown) {
-    this.#close();
-    showError({ code, message: String(error), hint: "" });
-  }
-
-  /** Stops the camera and closes the dialog; the only transition to closed. */
-  #close() {
-    if (this.#state === "closed") return;
-    clearTimeout(this.#tick);
-    if (this.#stream) stopTracks(this.#stream);
-    this.#stream = undefined;
-    this.#video.srcObject = null;
-    this.#countdown.textContent = "";
-    this.#setState("closed");
-    this.#dialog.close();
-  }
-
-  #setState(state: "closed" | "asking" | "live" | "counting") {
-    this.#state = state;
-    this.#render();
-  }
-
-  #render() {
-    this.#dialog.dataset["state"] = this.#state;
-    const isReady = this.#state === "live" && this.#hasPicture;
-    const wasDisabled = this.#shutter.disabled;
-    this.#shutter.disabled = !isReady;
-    if (isReady && wasDisabled) this.#shutter.focus();
-    const isWaiting = this.#state === "asking" || (this.#state === "live" && !isReady);
-    this.#status.textContent = isWaiting ? t("camera.asking") : "";
+  function render() {
+    const isReady = timer === 0 && stream.hasPicture();
+    const becomesReady = isReady && shutter.disabled;
+    shutter.disabled = !isReady;
+    if (becomesReady) shutter.focus();
+    const isWaiting = dialog.open && timer === 0 && !isReady;
+    byId("camera-status", HTMLParagraphElement).textContent = isWaiting ? t("camera.asking") : "";
   }
 }
 

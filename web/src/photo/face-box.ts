@@ -1,3 +1,6 @@
+/** Side of the crop relative to the face. */
+const CROP_SCALE = 1.6;
+
 /**
  * Centre and longer side of the landmarks' bounding box, in px of the picture.
  *
@@ -10,27 +13,29 @@ export function faceBox(landmarks: Float32Array, width: number, height: number) 
   return { x: (left + right) / 2, y: (top + bottom) / 2, side: Math.max(right - left, bottom - top) };
 }
 
-/** Side of the crop relative to the face. */
-const CROP_SCALE = 1.6;
-
 /**
  * Crop of a picture around a face, with a margin, in whole px.
  *
  * @param picture px
  */
-export function faceCrop(landmarks: Float32Array, picture: { width: number; height: number; }) {
-  const { x, y, side: size } = faceBox(landmarks, picture.width, picture.height);
-  const side = Math.ceil(CROP_SCALE * size);
-  const width = Math.min(side, picture.width);
-  const height = Math.min(side, picture.height);
-  return {
-    left: clamp(Math.round(x - width / 2), picture.width - width),
-    top: clamp(Math.round(y - height / 2), picture.height - height),
-    width,
-    height,
-  };
+export function faceCrop(landmarks: Float32Array, picture: { width: number; height: number }) {
+  const { x, y, side } = faceBox(landmarks, picture.width, picture.height);
+  const [width, height] = [picture.width, picture.height].map((whole) => Math.min(Math.ceil(CROP_SCALE * side), whole));
+  const left = Math.min(Math.max(Math.round(x - width / 2), 0), picture.width - width);
+  const top = Math.min(Math.max(Math.round(y - height / 2), 0), picture.height - height);
+  return { left, top, width, height };
 }
 
-function clamp(value: number, max: number) {
-  return Math.min(Math.max(value, 0), max);
+/**
+ * Square picture of a face.
+ *
+ * @param scale side of the crop relative to the face
+ * @param side_px in CSS px
+ */
+export function faceThumbnail(picture: ImageBitmap, landmarks: Float32Array, scale: number, side_px: number) {
+  const box = faceBox(landmarks, picture.width, picture.height);
+  const side = Math.max(1, Math.round(scale * box.side));
+  const [left, top] = [box.x, box.y].map((middle) => Math.round(middle - (scale * box.side) / 2));
+  const resizeWidth = Math.round(side_px * devicePixelRatio);
+  return createImageBitmap(picture, left, top, side, side, { resizeWidth, resizeHeight: resizeWidth, resizeQuality: "high" });
 }

@@ -1,7 +1,7 @@
 import { byId, isTyping, onAction } from "../page/dom.ts";
 import { showError, showRemark } from "../page/notice.ts";
 
-/** File names that the page can open. */
+/** Files that the page can open, by name and by type. */
 const SUPPORTED_NAME = /\.(jpe?g|png|webp|avif|glb|rosto)$/i;
 const SUPPORTED_TYPE = /^(image\/(jpeg|png|webp|avif)|model\/gltf-binary)$/;
 const PICTURE = /^image\//;
@@ -23,13 +23,13 @@ function setUpChooser(open: (photo: Blob) => void) {
     input.value = "";
     openBest(files, open);
   });
+  onAction("choose", choose);
   zone.addEventListener("click", choose);
   zone.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" && event.key !== " ") return;
     event.preventDefault();
     choose();
   });
-  onAction("choose", choose);
 }
 
 function setUpDrop(open: (photo: Blob) => void) {
@@ -39,23 +39,31 @@ function setUpDrop(open: (photo: Blob) => void) {
     event.preventDefault();
     veil.hidden = false;
   });
-  addEventListener("dragleave", (event) => {
-    if (event.relatedTarget === null) veil.hidden = true;
+  addEventListener("dragleave", ({ relatedTarget }) => {
+    if (relatedTarget === null) veil.hidden = true;
   });
   addEventListener("drop", (event) => {
     veil.hidden = true;
-    if (isTextForField(event, event.dataTransfer)) return;
-    event.preventDefault();
-    if (event.dataTransfer) openTransfer(event.dataTransfer, open);
+    openTransfer(event, event.dataTransfer, open);
   });
 }
 
 function setUpPaste(open: (photo: Blob) => void) {
+  let isKeyDown = false;
+  const onKey = ({ type, key, shiftKey, ctrlKey, metaKey }: KeyboardEvent) => {
+    const isPaste = shiftKey && key === "Insert" || (ctrlKey || metaKey) && key.toLowerCase() === "v";
+    isKeyDown = type === "keydown" && isPaste;
+  };
+  addEventListener("keydown", onKey);
+  addEventListener("keyup", onKey);
   addEventListener("paste", (event) => {
-    if (!event.clipboardData || isTextForField(event, event.clipboardData)) return;
-    event.preventDefault();
-    openTransfer(event.clipboardData, open);
+    // A middle click pastes the selected text on Linux.
+    if (isKeyDown || event.clipboardData?.types.includes("Files")) openTransfer(event, event.clipboardData, open);
   });
+  // The middle button turns the face.
+  for (const press of ["mousedown", "auxclick"] as const) {
+    byId("stage", HTMLElement).addEventListener(press, (event) => event.button === 1 && event.preventDefault());
+  }
 }
 
 /** Whether text is dropped or pasted into a text field. */
@@ -64,7 +72,9 @@ function isTextForField(event: Event, transfer: DataTransfer | null) {
 }
 
 /** Opens a dropped or pasted file, or shows why it cannot. */
-function openTransfer(transfer: DataTransfer, open: (photo: Blob) => void) {
+function openTransfer(event: Event, transfer: DataTransfer | null, open: (photo: Blob) => void) {
+  if (!transfer || isTextForField(event, transfer)) return;
+  event.preventDefault();
   const items = [...transfer.items].filter((item) => item.kind === "file");
   const files = items.filter((item) => !item.webkitGetAsEntry()?.isDirectory).map((item) => item.getAsFile());
   const readable = files.filter((file) => file !== null);
@@ -75,13 +85,10 @@ function openTransfer(transfer: DataTransfer, open: (photo: Blob) => void) {
 
 /** Opens the first supported file, else the first picture, and shows a remark if there were other files. */
 function openBest(files: File[], open: (photo: Blob) => void) {
+  const isSupported = ({ name, type }: File) => SUPPORTED_TYPE.test(type) || SUPPORTED_NAME.test(name);
   const best = files.find(isSupported) ?? files.find(({ type }) => PICTURE.test(type)) ?? files[0];
   if (!best) return;
   open(best);
   // After open(), which dismisses earlier notices.
   if (files.length > 1) showRemark("one-of-several", { n: files.length, name: best.name });
-}
-
-function isSupported({ name, type }: File) {
-  return SUPPORTED_TYPE.test(type) || SUPPORTED_NAME.test(name);
 }

@@ -2,21 +2,29 @@ import { byId } from "../page/dom.ts";
 import { onLocaleChange, t } from "../words/words.ts";
 import { leadOf } from "../work/face.ts";
 import { faceCrop } from "./face-box.ts";
-import { PanelPhoto } from "./panel-photo.ts";
-import { drawCircle, drawLandmarks, LANDMARK_COUNT } from "./photo-landmarks.ts";
+import { drawCircle, drawLandmarks, fill, LANDMARK_COUNT } from "./photo-drawing.ts";
 import type { Face, PhotoView } from "../work/face.ts";
-import type { Drawable } from "./panel-photo.ts";
+import type { Drawable } from "./photo-drawing.ts";
 import type { Host } from "../viewport/host.ts";
 import type { Display } from "../opening.ts";
 
-export interface Prepared {
+interface Shown {
   view: PhotoView;
   /** px */
-  picture: { width: number; height: number; };
+  picture: { width: number; height: number };
   /** in px of the picture */
-  crop: { left: number; top: number; width: number; height: number; };
+  crop: { left: number; top: number; width: number; height: number };
   /** the crop, scaled down to the largest display size */
   part: ImageBitmap;
+}
+
+interface Listener {
+  /** a landmark is under the pointer, or none */
+  hover: (landmark: number | undefined) => void;
+  /** a landmark was clicked */
+  choose: (landmark: number) => void;
+  /** the photo was clicked elsewhere */
+  press: () => void;
 }
 
 /** Maximum height of the picture, in CSS px. */
@@ -37,46 +45,45 @@ const HIT_RADIUS_PX = 10;
 /** The photo with the landmarks of one face, drawn on a 2D canvas. */
 export class PhotoOverlay {
   #canvas = byId("photo-picture", HTMLCanvasElement);
-  #part: ImageBitmap | undefined;
-  #landmarks: Float32Array = new Float32Array();
-  #picture = { width: 0, height: 0 };
-  /** Position of `#part` in the picture, in px of the picture. */
-  #crop = { left: 0, top: 0, width: 1, height: 1 };
-  #size = { width_px: 0, height_px: 0 };
+  #photo = byId("photo", HTMLDivElement);
+  #host: Host | undefined;
+  #shown: Shown | undefined;
   #selected: number | undefined;
   #hovered: number | undefined;
-  /** Draws the edited photo; undefined without a studio. */
-  #edited: PanelPhoto | undefined;
   /** Positions of the points after the edits, normalised to the photo's size. */
   #moved: Float32Array | undefined;
+  /** The crop at its display size: without edits, as the studio got it, and drawn with them. */
+  #panel: { part: ImageBitmap; unedited: ImageData; canvas: OffscreenCanvas } | undefined;
+  /** Whether the edits have changed since the crop was drawn. */
+  #isChanged = true;
   #timer = 0;
 
   constructor() {
-    new ResizeObserver(() => this.#draw()).observe(byId("photo", HTMLDivElement));
+    new ResizeObserver(() => this.#draw()).observe(this.#photo);
     onLocaleChange(() => this.#writeCaption());
   }
 
   /** Shows the host's edits from now on. */
   follow(host: Host) {
-    this.#edited = new PanelPhoto(host);
+    this.#host = host;
     byId("section-photo", HTMLDetailsElement).addEventListener("toggle", () => this.#draw());
     host.onPhoto(() => this.#drawSoon(host));
   }
 
-  /** Adds listeners for a landmark under the pointer, a click on a landmark, and a click elsewhere on the photo. */
-  listen(listener: { hover: (landmark: number | undefined) => void; choose: (landmark: number) => void; press: () => void; }) {
-    this.#canvas.addEventListener("pointermove", (event) => listener.hover(this.#nearest(event)));
-    this.#canvas.addEventListener("pointerleave", () => listener.hover(undefined));
+  /** Adds listeners for the pointer over the photo. */
+  listen({ hover, choose, press }: Listener) {
+    this.#canvas.addEventListener("pointermove", (event) => hover(this.#nearest(event)));
+    this.#canvas.addEventListener("pointerleave", () => hover(undefined));
     this.#canvas.addEventListener("click", (event) => {
       const landmark = this.#nearest(event);
-      if (landmark === undefined) listener.press();
-      else listener.choose(landmark);
+      if (landmark === undefined) press();
+      else choose(landmark);
     });
   }
 
   /** Size of the lead photo's picture, in px. */
   get pictureSize() {
-    return this.#picture;
+    return this.#shown?.picture ?? { width: 0, height: 0 };
   }
 
   /**
@@ -86,35 +93,21 @@ export class PhotoOverlay {
    */
   async prepare(face: Face, picture: ImageBitmap): Promise<Display> {
     const view = leadOf(face);
-    const size = { width: picture.width, height: picture.height };
-    const crop = faceCrop(view.landmarks, size);
+    const crop = faceCrop(view.landmarks, picture);
     const { left, top, width, height } = crop;
     const resizeHeight = Math.min(height, Math.round(MAX_PANE_PX * devicePixelRatio));
+    const size = { width: picture.width, height: picture.height };
     const part = await createImageBitmap(picture, left, top, width, height, { resizeHeight, resizeQuality: "high" });
     return { show: () => this.#show({ view, picture: size, crop, part }), discard: () => part.close() };
   }
 
-  #show({ view, picture, crop, part }: Prepared) {
-    this.#part?.close();
-    this.#part = part;
-    this.#picture = picture;
-    this.#landmarks = view.landmarks;
-    this.#crop = crop;
+  #show(shown: Shown) {
+    this.#shown?.part.close();
+    this.#shown = shown;
     this.#moved = undefined;
-    this.#edited?.set(part, crop, view.width_px / picture.width);
-    this.#size = { width_px: view.width_px, height_px: view.height_px };
-    byId("photo", HTMLDivElement).hidden = false;
+    this.#photo.hidden = false;
     this.#writeCaption();
     this.#draw();
-  }
-
-  #drawThumbnail(part: Drawable) {
-    const thumbnail = byId("photo-thumbnail", HTMLCanvasElement);
-    const side = Math.min(part.width, part.height);
-    const from = { x: (part.width - side) / 2, y: (part.height - side) / 2 };
-    const context = thumbnail.getContext("2d");
-    if (context) context.imageSmoothingQuality = "high";
-    context?.drawImage(part, from.x, from.y, side, side, 0, 0, thumbnail.width, thumbnail.height);
   }
 
   /** Highlights the selected and the hovered vertex, if they are landmarks. */
@@ -131,70 +124,98 @@ export class PhotoOverlay {
     this.#timer = setTimeout(() => {
       this.#timer = 0;
       this.#moved = host.ask((studio) => studio.photoLandmarks());
-      this.#edited?.invalidate();
+      this.#isChanged = true;
       this.#draw();
     }, DRAW_EVERY_MS);
   }
 
   #draw() {
-    const original = this.#part;
-    if (!original) return;
-    const photo = byId("photo", HTMLDivElement);
-    const panel_px = photo.checkVisibility() ? photo.clientWidth : 0;
-    const widest_px = Math.max(panel_px, THUMBNAIL_PX, byId("photo-pane", HTMLButtonElement).clientWidth);
-    const part = this.#edited?.drawn(widest_px * devicePixelRatio) ?? original;
-    this.#drawThumbnail(part);
-    drawPane(part);
-    if (panel_px === 0) return;
-    const { width, height } = this.#crop;
-    const scale = Math.min(panel_px / width, MAX_HEIGHT_PX / height);
+    const shown = this.#shown;
+    if (!shown) return;
     const ratio = devicePixelRatio;
-    this.#canvas.width = Math.round(width * scale * ratio);
-    this.#canvas.height = Math.round(height * scale * ratio);
+    const pane = byId("photo-pane", HTMLButtonElement);
+    const panel_px = this.#photo.checkVisibility() ? this.#photo.clientWidth : 0;
+    const part = this.#edited(shown, ratio * Math.max(panel_px, THUMBNAIL_PX, pane.clientWidth));
+    const side = Math.min(part.width, part.height);
+    fill(byId("photo-thumbnail", HTMLCanvasElement), part, side, side);
+    if (!pane.hidden) {
+      const canvas = byId("photo-pane-canvas", HTMLCanvasElement);
+      Object.assign(canvas, { width: part.width, height: part.height });
+      fill(canvas, part);
+    }
+    if (panel_px === 0) return;
+    const { width, height } = shown.crop;
+    const scale = ratio * Math.min(panel_px / width, MAX_HEIGHT_PX / height);
+    Object.assign(this.#canvas, { width: Math.round(width * scale), height: Math.round(height * scale) });
     this.#canvas.style.width = `${this.#canvas.width / ratio}px`;
-    const context = this.#canvas.getContext("2d");
-    if (!context) return;
-    context.imageSmoothingQuality = "high";
-    context.drawImage(part, 0, 0, this.#canvas.width, this.#canvas.height);
-    drawLandmarks(context, (landmark) => this.#positionOf(landmark), this.#landmarks.length / 3, ratio);
-    for (const [landmark, radius, width] of ([[this.#hovered, 4, 1], [this.#selected, 5, 2]] as const)) {
+    const context = fill(this.#canvas, part);
+    const positionOf = (landmark: number) => this.#positionOf(shown, landmark);
+    drawLandmarks(context, positionOf, shown.view.landmarks.length / 3, ratio);
+    context.strokeStyle = getComputedStyle(this.#canvas).color;
+    for (const [landmark, radius, width] of [[this.#hovered, 4, 1], [this.#selected, 5, 2]] as const) {
       // Other vertices are not on the photo.
-      if (landmark !== undefined && landmark < LANDMARK_COUNT) drawCircle(context, this.#positionOf(landmark), radius * ratio, width * ratio);
+      if (landmark === undefined || landmark >= LANDMARK_COUNT) continue;
+      context.lineWidth = width * ratio;
+      drawCircle(context, positionOf(landmark), radius * ratio);
     }
   }
 
-  /** Position of a landmark on the canvas, in canvas px. */
-  #positionOf(landmark: number) {
-    const { left, top, width, height } = this.#crop;
-    const [x = 0, y = 0] = this.#moved?.subarray(2 * landmark, 2 * landmark + 2) ?? this.#landmarks.subarray(3 * landmark, 3 * landmark + 2);
-    const [x_px, y_px] = [x * this.#picture.width, y * this.#picture.height];
-    return { x: ((x_px - left) / width) * this.#canvas.width, y: ((y_px - top) / height) * this.#canvas.height };
+  /**
+   * The crop with the edits; without them if the studio is not available.
+   *
+   * @param width_px display size, in device px
+   */
+  #edited({ view, picture, crop, part }: Shown, width_px: number): Drawable {
+    const host = this.#host;
+    if (!host) return part;
+    const width = Math.max(1, Math.min(Math.round(width_px), part.width));
+    if (this.#panel?.part !== part || this.#panel.canvas.width !== width) {
+      const canvas = new OffscreenCanvas(width, Math.max(1, Math.round((part.height * width) / part.width)));
+      canvas.getContext("2d", { willReadFrequently: true });
+      const unedited = fill(canvas, part).getImageData(0, 0, width, canvas.height);
+      this.#panel = { part, unedited, canvas };
+      this.#isChanged = true;
+      const rgba = new Uint8Array(unedited.data.buffer);
+      const perPicture = view.width_px / picture.width;
+      const [left, top, scale] = [crop.left * perPicture, crop.top * perPicture, width / (crop.width * perPicture)];
+      host.act((studio) => studio.setPanelPhoto(rgba, width, left, top, scale));
+    }
+    const { canvas, unedited } = this.#panel;
+    if (this.#isChanged) {
+      const rgba = host.ask((studio) => studio.panelPhoto());
+      const edited = rgba && new ImageData(new Uint8ClampedArray(rgba.buffer as ArrayBuffer), width);
+      canvas.getContext("2d")?.putImageData(edited ?? unedited, 0, 0);
+    }
+    this.#isChanged = false;
+    return canvas;
   }
 
-  #nearest(event: MouseEvent) {
-    const box = this.#canvas.getBoundingClientRect();
-    const ratio = this.#canvas.width / box.width;
-    const x = (event.clientX - box.left) * ratio;
-    const y = (event.clientY - box.top) * ratio;
+  /** Position of a landmark on the canvas, in canvas px. */
+  #positionOf({ view, picture, crop }: Shown, landmark: number) {
+    const moved = this.#moved?.subarray(2 * landmark, 2 * landmark + 2);
+    const [x = 0, y = 0] = moved ?? view.landmarks.subarray(3 * landmark, 3 * landmark + 2);
+    const { width, height } = this.#canvas;
+    return {
+      x: ((x * picture.width - crop.left) / crop.width) * width,
+      y: ((y * picture.height - crop.top) / crop.height) * height,
+    };
+  }
+
+  #nearest({ offsetX, offsetY }: MouseEvent) {
+    const ratio = this.#canvas.width / this.#canvas.clientWidth;
     let nearest: number | undefined;
     let nearest_px = HIT_RADIUS_PX * ratio;
-    for (let landmark = 0; landmark < LANDMARK_COUNT; landmark++) {
-      const position = this.#positionOf(landmark);
-      const distance_px = Math.hypot(position.x - x, position.y - y);
+    for (let landmark = 0; this.#shown && landmark < LANDMARK_COUNT; landmark++) {
+      const { x, y } = this.#positionOf(this.#shown, landmark);
+      const distance_px = Math.hypot(x - offsetX * ratio, y - offsetY * ratio);
       if (distance_px < nearest_px) [nearest, nearest_px] = [landmark, distance_px];
     }
     return nearest;
   }
 
   #writeCaption() {
-    const { width_px: width, height_px: height } = this.#size;
-    byId("photo-caption", HTMLSpanElement).textContent = width > 0 ? t("photo.caption", { width, height }) : "";
+    const { width_px: width, height_px: height } = this.#shown?.view ?? {};
+    const caption = width && height ? t("photo.caption", { width, height }) : "";
+    byId("photo-caption", HTMLSpanElement).textContent = caption;
   }
-}
-
-function drawPane(part: Drawable) {
-  if (byId("photo-pane", HTMLButtonElement).hidden) return;
-  const canvas = byId("photo-pane-canvas", HTMLCanvasElement);
-  Object.assign(canvas, { width: part.width, height: part.height });
-  canvas.getContext("2d")?.drawImage(part, 0, 0);
 }

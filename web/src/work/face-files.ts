@@ -8,9 +8,6 @@ import type { FileOptions, SolidFacts, WrittenFile } from "../../wasm/rosto-visi
 /** Name of the files in a zip archive. */
 const BUNDLED_NAME = "face";
 
-/** Error code if the worker dies. */
-const NOT_WRITTEN = "file-not-written";
-
 /** Files of the open face, with its current edits. The worker makes them, to keep the main thread responsive. */
 export class FaceFiles {
   #host;
@@ -31,31 +28,31 @@ export class FaceFiles {
   async mesh(format: string, options: FileOptions): Promise<WrittenFile> {
     const { face, files } = this.#open();
     const all = { "texture-size": this.#textureSize(), ...options };
-    return this.#vision.perform({ type: "write", face, format, options: all, name: BUNDLED_NAME }, files, NOT_WRITTEN);
+    return this.#vision.request("write", { face, files, format, options: all, name: BUNDLED_NAME });
   }
 
   async project(): Promise<Uint8Array<ArrayBuffer>> {
     const { face, files } = this.#open();
-    return this.#vision.perform({ type: "write-project", face }, files, NOT_WRITTEN);
+    return this.#vision.request("write-project", { face, files });
   }
 
   /** Measures of the body for printing; undefined if only the surface is exported. */
   async solidFacts(options: FileOptions): Promise<SolidFacts | undefined> {
     const { face } = this.#open();
-    return this.#vision.perform({ type: "solid-facts", face, options }, [], "worker-died");
+    return this.#vision.request("solid-facts", { face, options, files: [] });
   }
 
   /** The lead photo with the edits, upright and in sRGB, without metadata such as its location. */
   async editedPhoto(mediaType: PhotoType): Promise<Blob> {
     const { face, lead } = this.#open();
     const { falloffBand } = this.#state();
-    return this.#vision.perform({ type: "edited-photo", face, lead, falloffBand, mediaType }, [lead.source], "photo-not-written");
+    return this.#vision.request("edited-photo", { face, files: [lead.source], lead, falloffBand, mediaType });
   }
 
   /** The whole-face texture. */
   async texture(): Promise<ImageBitmap> {
     const { face, files } = this.#open();
-    return this.#vision.perform({ type: "texture", face, size: this.#textureSize() }, files, "worker-died");
+    return this.#vision.request("texture", { face, files, size: this.#textureSize() });
   }
 
   /** The open face in the form of a worker request. Throws `no-face` without one. */

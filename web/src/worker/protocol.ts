@@ -1,65 +1,37 @@
-import type { FaceRequest, FileOptions, OpenedFile } from "../../wasm/rosto-vision-web.js";
-import type { SourceFile } from "../work/face.ts";
-
-/** An error, as both wasm modules throw it. */
-export type PageError = { code: string; message: string; hint: string; maxMm?: number; };
+import type { Tasks } from "./tasks.ts";
 
 /**
- * Messages between the page and its worker. Buffers and bitmaps are transferred, not copied. A request that reads
- * pictures brings their files, so that a restarted worker can decode them again.
+ * Messages between the page and its worker. A request is the name of a task with its argument; the answer is what the
+ * task returns. Bitmaps and buffers are transferred, not copied.
  */
+
+/** An error, as both wasm modules throw it. */
+export type PageError = { code: string; message: string; hint: string; maxMm?: number };
 
 export type Stage = "decode" | "detect" | "landmarks";
 
-export interface Opened {
-  key: string;
-  /** in memory, so that it stays readable */
-  file: Blob;
-  opened: OpenedFile;
-  /** the pictures of the first face */
-  bitmaps: ImageBitmap[];
-}
-
-export interface FollowedFrame {
-  /** timestamp from the request */
-  time_ms: number;
-  /** 478 × (x/W, y/H, z/W), smoothed over time; absent without a face */
-  landmarks?: Float32Array;
-  /** of the frame */
-  width_px: number;
-  height_px: number;
-  /** time to read the pixels and to find the landmarks */
-  took_ms: { read: number; landmarks: number; };
-  /** the frame, transferred back; the caller closes it */
-  frame: ImageBitmap;
-}
-
-export type FaceTask = { type: "picture"; picture: string; } |
-{ type: "texture"; face: FaceRequest; size: string; } |
-{ type: "write"; face: FaceRequest; format: string; options: FileOptions; name: string; } |
-{ type: "write-project"; face: FaceRequest; } |
-{ type: "solid-facts"; face: FaceRequest; options: FileOptions; } |
-{ type: "edited-photo"; face: FaceRequest; lead: LeadPhoto; falloffBand: number; mediaType: PhotoType; };
+export type Report = (stage: Stage, fraction: number) => void;
 
 export type PhotoType = "image/png" | "image/jpeg";
 
-export type LeadPhoto = { picture: string; source: SourceFile; };
+export type Argument<Name extends keyof Tasks> = Parameters<Tasks[Name]>[0];
+export type Answer<Name extends keyof Tasks> = Awaited<ReturnType<Tasks[Name]>>;
 
-export type OpenRequest = { type: "open"; id: number; key: string; file: Blob; };
+export type Opened = Answer<"open">;
+export type FollowedFrame = Answer<"follow">;
 
-export type FollowRequest = { type: "follow"; id: number; frame: ImageBitmap; time_ms: number; };
+export type Reply =
+  | { type: "alive"; lock: string }
+  | { type: "loading" }
+  | { type: "progress"; id: number; stage: Stage; fraction: number }
+  | { type: "failed"; id: number; error: PageError }
+  | { type: "trapped"; message: string }
+  | { type: keyof Tasks; id: number; answer: unknown };
 
-export type Request = { type: "load"; module: string; detector: string; landmarks: string; } |
-  OpenRequest | (FaceTask & { id: number; files: SourceFile[]; }) | FollowRequest |
-{ type: "stop-following"; };
-
-export type Reply = { type: "alive"; lock: string; } |
-{ type: "loading"; } |
-{ type: "ready"; } |
-{ type: "unusable"; error: PageError; } |
-{ type: "progress"; id: number; stage: Stage; fraction: number; } |
-{ type: "open" | FaceTask["type"]; id: number; answer: any; } |
-{ type: "failed"; id: number; error: PageError; } |
-{ type: "followed"; id: number; followed: FollowedFrame; } |
-{ type: "not-followed"; id: number; error: PageError; } |
-{ type: "trapped"; id: number; message: string; };
+/** The bitmaps and buffers in a message. */
+export function transferable(message: unknown): Transferable[] {
+  if (message instanceof ImageBitmap) return [message];
+  if (message instanceof Uint8Array || message instanceof Float32Array) return [message.buffer];
+  const isPlain = typeof message === "object" && message !== null && !(message instanceof Blob);
+  return isPlain ? Object.values(message).flatMap(transferable) : [];
+}

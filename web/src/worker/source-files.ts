@@ -1,12 +1,11 @@
 /** Reads photos and saved files for the module. */
 
-import { checkLength } from "../../wasm/rosto-vision-web.js";
+import { checkLength, checkSize } from "../../wasm/rosto-vision-web.js";
 import { asPageError } from "../page/page-error.ts";
 import { bytesOf } from "../work/bytes.ts";
 import { filesWith } from "../work/face.ts";
-import type { SourceFile } from "../work/face.ts";
-import { decodeWithBrowser } from "./browser-decoder.ts";
 import type { Vision } from "../../wasm/rosto-vision-web.js";
+import type { SourceFile } from "../work/face.ts";
 
 /** Rosto's projects and GLBs are far smaller; larger files are not read into memory. */
 const MAX_SAVED_BYTES = 400_000_000;
@@ -29,11 +28,11 @@ export async function readFile(file: Blob) {
  * @param bytes of the file
  * @param decode `original`: the file, if the browser decoded it
  */
-export async function decoded<T>(file: Blob, bytes: Uint8Array, decode: (bytes: Uint8Array, original?: Uint8Array) => T): Promise<T> {
+export async function decoded<T>(file: Blob, bytes: Uint8Array, decode: (bytes: Uint8Array, original?: Uint8Array) => T) {
   try {
     return decode(bytes);
   } catch (error) {
-    const converted = asPageError(error).code === "unsupported-format" ? await decodeWithBrowser(file) : undefined;
+    const converted = asPageError(error).code === "unsupported-format" ? await convertedByBrowser(file) : undefined;
     if (!converted) throw error;
     return decode(await bytesOf(converted), bytes);
   }
@@ -46,5 +45,20 @@ export async function keepPictures(vision: Vision, pictures: string[], files: So
   for (const { key, file } of filesWith(files, pictures)) {
     const { bytes } = await readFile(file);
     await decoded(file, bytes, (readable, original) => vision.keep(key, readable, original));
+  }
+}
+
+/** The photo as an upright sRGB PNG; undefined if the browser cannot decode it. */
+async function convertedByBrowser(photo: Blob) {
+  const bitmap = await createImageBitmap(photo).catch(() => undefined);
+  if (!bitmap) return undefined;
+  const { width, height } = bitmap;
+  try {
+    checkSize(width, height);
+    const canvas = new OffscreenCanvas(width, height);
+    canvas.getContext("2d", { colorSpace: "srgb" })?.drawImage(bitmap, 0, 0);
+    return await canvas.convertToBlob({ type: "image/png" }).catch(() => undefined);
+  } finally {
+    bitmap.close();
   }
 }
