@@ -20,6 +20,9 @@ const GPUS = {
 /** Skips compositing in software, which takes two thirds of the time. The WebGPU canvas is drawn but not shown. */
 const UNSEEN = ["--disable-gpu-compositing"];
 
+/** Name of this machine that is not a secure context over plain HTTP, unlike 127.0.0.1. */
+export const INSECURE_HOST = "rosto.example";
+
 const QUIET = [
   "--no-sandbox",
   "--no-first-run",
@@ -28,6 +31,7 @@ const QUIET = [
   "--disable-component-update",
   "--disable-sync",
   "--disable-gpu-process-crash-limit",
+  `--host-resolver-rules=MAP ${INSECURE_HOST} 127.0.0.1`,
 ];
 
 /**

@@ -6,8 +6,16 @@ export function camera({ page }) {
   });
 }
 
-/** Runs in the page before its own scripts. */
+/** Runs in the page: makes a method of a class reject. @param {[type: string, method: string]} name */
+export function rejectIn([type, method]) {
+  window[type].prototype[method] = () => Promise.reject(new DOMException("failed", "AbortError"));
+}
+
+/** Runs in the page before its own scripts. Also records unhandled rejections in `rejections`. */
 export function recordCamera() {
+  /** @type {string[]} */
+  window.rejections = [];
+  addEventListener("unhandledrejection", ({ reason }) => window.rejections.push(String(reason)));
   window.cameraAsked = 0;
   /** @type {MediaStreamTrack[]} */
   window.cameraTracks = [];

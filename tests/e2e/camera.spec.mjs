@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { camera, recordCamera } from "./camera-watch.mjs";
+import { camera, recordCamera, rejectIn } from "./camera-watch.mjs";
 import { variants, test } from "./fixtures.mjs";
 
 /** Records the page's requests for the camera. */
@@ -92,6 +92,39 @@ test("no photo is taken of a video without a size", { tag: ["@camera", "@rare"] 
     document.getElementById("camera-preview").dispatchEvent(new Event("resize"));
   });
   await page.waitForSelector("#camera-shutter:enabled");
+});
+
+test("a camera closed while it starts, or that cannot play or be photographed, leaves no unhandled rejection", { tag: "@camera" }, async ({ visitor, page }) => {
+  for (let time = 0; time < 3; time += 1) {
+    await page.click("#welcome [data-action='camera']");
+    await leaveCamera(page);
+  }
+  // Closed in the task in which the video starts to play.
+  await page.evaluate(() => {
+    const { play } = HTMLMediaElement.prototype;
+    HTMLMediaElement.prototype.play = function () {
+      HTMLMediaElement.prototype.play = play;
+      const playing = this.play();
+      document.querySelector("[data-action='close-camera']").click();
+      return playing;
+    };
+  });
+  await page.click("#welcome [data-action='camera']");
+  await page.waitForSelector("#camera", { state: "hidden" });
+  assert.ok(await page.isHidden("#notice"));
+
+  await openCamera(page);
+  await page.evaluate(rejectIn, ["OffscreenCanvas", "convertToBlob"]);
+  await page.click("#camera-shutter");
+  assert.equal((await visitor.notice()).code, "other");
+  assert.ok(await page.isHidden("#camera"));
+
+  await page.evaluate(rejectIn, ["HTMLMediaElement", "play"]);
+  await page.click("#welcome [data-action='camera']");
+  await page.waitForSelector("#notice[data-code='no-camera']");
+  assert.ok(await page.isHidden("#camera"));
+  assert.equal((await camera(visitor)).live, 0);
+  assert.deepEqual(await page.evaluate(() => window.rejections), []);
 });
 
 /** Opens the camera and waits until it can take a photo. @param {import("@playwright/test").Page} page */

@@ -92,6 +92,13 @@ test("the element reports files it cannot open by event and notice, and opens th
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
+test("a link whose name is not encoded opens", async ({ openElement }) => {
+  const visitor = await openElement({ body: "<rosto-studio></rosto-studio>" });
+  await visitor.page.route(/100%\.jpg$/, (route) => route.fulfill({ path: SAMPLE }));
+  await visitor.act((face) => face.open("100%.jpg"));
+  assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face"]);
+});
+
 test("the element shows the photo requested last, even if an earlier one arrives later", async ({ openElement }) => {
   const visitor = await openElement({ body: "<rosto-studio></rosto-studio>" });
   const { page } = visitor;

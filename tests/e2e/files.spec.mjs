@@ -42,7 +42,11 @@ test("a dropped URL, text or HTML shows a notice, and text fields still accept t
   ];
   for (const data of words) {
     for (const way of /** @type {const} */ (["drop", "paste"])) {
+      await page.keyboard.down("Control");
+      await page.keyboard.down("v");
       await bring(page, way, [], data);
+      await page.keyboard.up("v");
+      await page.keyboard.up("Control");
       const { code, text } = await visitor.notice();
       assert.equal(code, "not-a-file");
       assert.match(text, /drop the picture itself/);
@@ -58,6 +62,38 @@ test("a dropped URL, text or HTML shows a notice, and text fields still accept t
   });
   assert.ok(isLeftAlone);
   assert.ok(await page.isHidden("#notice"));
+});
+
+test("a middle drag turns the face and pastes nothing, and Ctrl V of text shows a notice", async ({ open }) => {
+  const visitor = await open({ scripts: [recordMiddleButton], permissions: ["clipboard-read", "clipboard-write"] });
+  const { page } = visitor;
+  await visitor.openFace();
+  const from = await visitor.emptyPoint();
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down({ button: "middle" });
+  await page.mouse.move(from.x + 40, from.y, { steps: 4 });
+  await page.mouse.up({ button: "middle" });
+  // On Linux, a release that is not prevented pastes the selected text.
+  assert.deepEqual(await page.evaluate(() => window.middleButton), [["mousedown", true], ["auxclick", true]]);
+  await bring(page, "paste", [], { "text/plain": "selected elsewhere" });
+  await visitor.frames(3);
+  assert.ok(await page.isHidden("#notice"));
+
+  await page.evaluate(() => navigator.clipboard.writeText("https://example.com/me.jpg"));
+  await page.keyboard.press("Control+v");
+  assert.equal((await visitor.notice()).code, "not-a-file");
+});
+
+test("the file choosers offer HEIC photos, which open where the browser decodes them", async ({ visitor, page }) => {
+  await visitor.untilInteractive();
+  for (const id of ["photo-file", "further-files"]) {
+    const accepted = (await page.getAttribute(`#${id}`, "accept")).split(",");
+    for (const one of ["image/heic", "image/heif", ".heic", ".heif"]) assert.ok(accepted.includes(one), `${id}: ${one}`);
+  }
+  await page.setInputFiles("#photo-file", { name: "IMG_0001.HEIC", mimeType: "image/heic", buffer: heic() });
+  const { code, text } = await visitor.notice();
+  assert.equal(code, "unsupported-format");
+  assert.match(text, /Most Compatible/);
 });
 
 test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
@@ -88,6 +124,14 @@ test("a file of gigabytes is reported as too large, at the worker's limit", asyn
   }
   await visitor.dropSample();
 });
+
+/** Runs in the page before its own scripts: records the middle button's events on the stage, and whether they are prevented. */
+function recordMiddleButton() {
+  window.middleButton = [];
+  for (const type of ["mousedown", "auxclick"]) {
+    addEventListener(type, (event) => event.button === 1 && window.middleButton.push([type, event.defaultPrevented]));
+  }
+}
 
 /** Drops or pastes files, or data by MIME type. */
 async function bring(page, way, files, data = {}) {

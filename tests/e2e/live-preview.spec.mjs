@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
-import { camera, recordCamera } from "./camera-watch.mjs";
+import { camera, recordCamera, rejectIn } from "./camera-watch.mjs";
 import { portraitLandmarks } from "./video.mjs";
 import { FRAMES_PER_S, HEIGHT_PX, SPEED_PX_S, WIDTH_PX, mapToFrame, numberOf, poseIn } from "./video-frames.mjs";
 import { test } from "./fixtures.mjs";
@@ -136,6 +136,30 @@ test("a refused or unplugged camera closes the live preview with a notice", { ta
   assert.equal((await camera(visitor)).live, 0);
   // The photo and its 3D view are restored.
   await page.waitForFunction(() => document.body.dataset.scene === "solid");
+});
+
+test("a live preview closed while it starts, or that cannot play or read a frame, leaves no unhandled rejection", { tag: "@moving-camera" }, async ({ visitor, page }) => {
+  await visitor.untilLoaded();
+  for (let time = 0; time < 3; time += 1) {
+    await page.click("#welcome [data-action='live-preview']");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#live", { state: "hidden" });
+  }
+  await page.waitForFunction(() => window.cameraTracks.every(({ readyState }) => readyState === "ended"));
+  assert.ok(await page.isHidden("#notice"));
+
+  // The first frame with a face opens as a photo.
+  await page.evaluate(rejectIn, ["OffscreenCanvas", "convertToBlob"]);
+  await page.click("#welcome [data-action='live-preview']");
+  assert.equal((await visitor.notice()).code, "other");
+  await page.waitForSelector("#live", { state: "hidden" });
+
+  await page.evaluate(rejectIn, ["HTMLMediaElement", "play"]);
+  await page.click("#welcome [data-action='live-preview']");
+  await page.waitForSelector("#notice[data-code='no-camera']");
+  assert.ok(await page.isHidden("#live"));
+  assert.equal((await camera(visitor)).live, 0);
+  assert.deepEqual(await page.evaluate(() => window.rejections), []);
 });
 
 /** Opens the live preview over the open face and waits until the stage shows it. @param {Visitor} visitor */

@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { INSECURE_HOST } from "./browser.mjs";
 import { variants, test } from "./fixtures.mjs";
 import { delayFile } from "./delayed-file.mjs";
 
@@ -25,6 +26,20 @@ for (const [{ what, answer }, tag] of variants(FAULTS)) {
     assert.ok(await page.isHidden("#not-started"));
   });
 }
+
+test("over plain HTTP, the page says that it needs HTTPS, at the start and for a photo and the camera", async ({ open, server }) => {
+  const visitor = await open({ url: server.url.replace("127.0.0.1", INSECURE_HOST) });
+  const { page } = visitor;
+  await page.waitForSelector("#notice[data-code='needs-https']");
+  assert.match((await visitor.notice()).text, /^This page needs HTTPS\s+.*https:\/\//);
+  for (const action of ["sample", "camera", "live-preview"]) {
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#notice", { state: "hidden" });
+    await page.click(`#welcome [data-action='${action}']`);
+    assert.equal((await visitor.notice()).code, "needs-https", action);
+    assert.ok(await page.isVisible("#welcome"));
+  }
+});
 
 test("without the words of its language, the page starts in English", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR", before: (context) => context.route("**/pt-*.js", (route) => route.abort()) });

@@ -30,7 +30,7 @@ export class VisionClient {
   #isReady = false;
   /** The camera frame that waits for the answer to the last one. */
   #nextFrame: ImageBitmap | undefined;
-  /** Answer to the camera frame last sent. */
+  /** Settles when the worker has answered the camera frame that it has. */
   #followed: Promise<unknown> | undefined;
   /** Number of camera streams so far. */
   #streams = 0;
@@ -95,11 +95,12 @@ export class VisionClient {
     this.#nextFrame = frame;
     const stream = this.#streams;
     // A frame sent to a worker that is loading would be stale when processed.
-    await Promise.all([this.ready, this.#followed]);
+    if (!this.#isReady || this.#followed) await Promise.all([this.ready, this.#followed]);
     if (this.#nextFrame !== frame) return undefined;
     this.#nextFrame = undefined;
     const answer = this.request("follow", { frame, time_ms });
-    this.#followed = answer.catch(() => {});
+    const onAnswer = () => (this.#followed = undefined);
+    this.#followed = answer.then(onAnswer, onAnswer);
     const followed = await answer;
     if (stream === this.#streams) return followed;
     followed.frame.close();
