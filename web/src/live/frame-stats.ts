@@ -29,9 +29,10 @@ export function figuresOf(samples: Sample[]) {
  * middle position from the mean of the other two removes uniform motion; for independent noise, its mean square is 1.5
  * times the variance.
  */
-function jitterVariance({ landmarks: before }: Sample, { landmarks: middle }: Sample, { landmarks: after, ...size }: Sample) {
+function jitterVariance(...samples: Sample[]) {
+  const [before, middle, after] = samples.map(({ landmarks }) => landmarks);
   if (!before || !middle || !after) return [];
-  const sides_px = [size.width_px, size.height_px, 0];
+  const sides_px = [samples[0].width_px, samples[0].height_px, 0];
   const squares = middle.map((place, at) => (sides_px[at % 3] * (place - (before[at] + after[at]) / 2)) ** 2);
   return [(3 * mean(squares)) / 1.5];
 }

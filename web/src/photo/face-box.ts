@@ -36,6 +36,7 @@ export function faceThumbnail(picture: ImageBitmap, landmarks: Float32Array, sca
   const box = faceBox(landmarks, picture.width, picture.height);
   const side = Math.max(1, Math.round(scale * box.side));
   const [left, top] = [box.x, box.y].map((middle) => Math.round(middle - (scale * box.side) / 2));
-  const resizeWidth = Math.round(side_px * devicePixelRatio);
-  return createImageBitmap(picture, left, top, side, side, { resizeWidth, resizeHeight: resizeWidth, resizeQuality: "high" });
+  const size = Math.round(side_px * devicePixelRatio);
+  const resize = { resizeWidth: size, resizeHeight: size, resizeQuality: "high" } as const;
+  return createImageBitmap(picture, left, top, side, side, resize);
 }

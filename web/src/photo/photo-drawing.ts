@@ -2,8 +2,8 @@
 
 export type Drawable = ImageBitmap | OffscreenCanvas;
 
-/** Position of a point on the canvas, in canvas px. */
-type PositionOf = (point: number) => { x: number; y: number };
+/** Position of a point, in px of the canvas. */
+export type Place = { x: number; y: number };
 
 /** Landmarks of the face; the iris points follow. */
 export const LANDMARK_COUNT = 468;
@@ -31,20 +31,16 @@ export function fill(
  * Draws landmarks as white dots with a dark border, visible on any skin tone, and irises as circles, with the mean
  * distance of the four border points as radius.
  *
- * @param count of points, including the irises
+ * @param places of the landmarks and the iris points
  * @param ratio device-pixel ratio
  */
-export function drawLandmarks(context: CanvasRenderingContext2D, positionOf: PositionOf, count: number, ratio: number) {
+export function drawLandmarks(context: CanvasRenderingContext2D, places: Place[], ratio: number) {
   for (const [colour, size] of [["rgb(0 0 0 / 0.45)", 3 * ratio], ["rgb(255 255 255)", 1.5 * ratio]] as const) {
     context.fillStyle = context.strokeStyle = colour;
     context.lineWidth = size / 2;
-    for (let landmark = 0; landmark < LANDMARK_COUNT; landmark++) {
-      const { x, y } = positionOf(landmark);
-      context.fillRect(x - size / 2, y - size / 2, size, size);
-    }
-    for (let iris = LANDMARK_COUNT; iris + IRIS_POINTS <= count; iris += IRIS_POINTS) {
-      const centre = positionOf(iris);
-      const border = [1, 2, 3, 4].map((point) => positionOf(iris + point));
+    for (const { x, y } of places.slice(0, LANDMARK_COUNT)) context.fillRect(x - size / 2, y - size / 2, size, size);
+    for (let at = LANDMARK_COUNT; at + IRIS_POINTS <= places.length; at += IRIS_POINTS) {
+      const [centre, ...border] = places.slice(at, at + IRIS_POINTS);
       const distances = border.map(({ x, y }) => Math.hypot(x - centre.x, y - centre.y));
       drawCircle(context, centre, distances.reduce((sum, each) => sum + each) / distances.length);
     }
@@ -52,7 +48,7 @@ export function drawLandmarks(context: CanvasRenderingContext2D, positionOf: Pos
 }
 
 /** @param radius canvas px */
-export function drawCircle(context: CanvasRenderingContext2D, { x, y }: { x: number; y: number }, radius: number) {
+export function drawCircle(context: CanvasRenderingContext2D, { x, y }: Place, radius: number) {
   context.beginPath();
   context.arc(x, y, radius, 0, 2 * Math.PI);
   context.stroke();

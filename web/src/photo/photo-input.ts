@@ -1,10 +1,8 @@
 import { byId, isTyping, onAction } from "../page/dom.ts";
 import { showError, showRemark } from "../page/notice.ts";
 
-/** Files that the page can open, by name and by type. */
-const SUPPORTED_NAME = /\.(jpe?g|png|webp|avif|glb|rosto)$/i;
-const SUPPORTED_TYPE = /^(image\/(jpeg|png|webp|avif)|model\/gltf-binary)$/;
-const PICTURE = /^image\//;
+/** Names and media types of files that the page can open. */
+const SUPPORTED = /\.(jpe?g|png|webp|avif|glb|rosto)$|^(image\/(jpeg|png|webp|avif)|model\/gltf-binary)$/i;
 
 /** Sets up the file chooser, drag and drop, and paste. */
 export function setUpPhotoInput(open: (photo: Blob) => void) {
@@ -71,7 +69,7 @@ function isTextForField(event: Event, transfer: DataTransfer | null) {
   return isTyping(event) && !transfer?.types.includes("Files");
 }
 
-/** Opens a dropped or pasted file, or shows why it cannot. */
+/** Opens a dropped or pasted file, or shows why it can't be opened. */
 function openTransfer(event: Event, transfer: DataTransfer | null, open: (photo: Blob) => void) {
   if (!transfer || isTextForField(event, transfer)) return;
   event.preventDefault();
@@ -85,8 +83,8 @@ function openTransfer(event: Event, transfer: DataTransfer | null, open: (photo:
 
 /** Opens the first supported file, else the first picture, and shows a remark if there were other files. */
 function openBest(files: File[], open: (photo: Blob) => void) {
-  const isSupported = ({ name, type }: File) => SUPPORTED_TYPE.test(type) || SUPPORTED_NAME.test(name);
-  const best = files.find(isSupported) ?? files.find(({ type }) => PICTURE.test(type)) ?? files[0];
+  const isSupported = ({ name, type }: File) => SUPPORTED.test(type) || SUPPORTED.test(name);
+  const best = files.find(isSupported) ?? files.find(({ type }) => type.startsWith("image/")) ?? files[0];
   if (!best) return;
   open(best);
   // After open(), which dismisses earlier notices.

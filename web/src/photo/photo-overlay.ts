@@ -4,7 +4,7 @@ import { leadOf } from "../work/face.ts";
 import { faceCrop } from "./face-box.ts";
 import { drawCircle, drawLandmarks, fill, LANDMARK_COUNT } from "./photo-drawing.ts";
 import type { Face, PhotoView } from "../work/face.ts";
-import type { Drawable } from "./photo-drawing.ts";
+import type { Drawable, Place } from "./photo-drawing.ts";
 import type { Host } from "../viewport/host.ts";
 import type { Display } from "../opening.ts";
 
@@ -13,18 +13,9 @@ interface Shown {
   /** px */
   picture: { width: number; height: number };
   /** in px of the picture */
-  crop: { left: number; top: number; width: number; height: number };
+  crop: ReturnType<typeof faceCrop>;
   /** the crop, scaled down to the largest display size */
   part: ImageBitmap;
-}
-
-interface Listener {
-  /** a landmark is under the pointer, or none */
-  hover: (landmark: number | undefined) => void;
-  /** a landmark was clicked */
-  choose: (landmark: number) => void;
-  /** the photo was clicked elsewhere */
-  press: () => void;
 }
 
 /** Maximum height of the picture, in CSS px. */
@@ -56,6 +47,8 @@ export class PhotoOverlay {
   #panel: { part: ImageBitmap; unedited: ImageData; canvas: OffscreenCanvas } | undefined;
   /** Whether the edits have changed since the crop was drawn. */
   #isChanged = true;
+  /** Positions of the points on the canvas, in canvas px. */
+  #places: Place[] = [];
   #timer = 0;
 
   constructor() {
@@ -67,18 +60,17 @@ export class PhotoOverlay {
   follow(host: Host) {
     this.#host = host;
     byId("section-photo", HTMLDetailsElement).addEventListener("toggle", () => this.#draw());
+    this.#canvas.addEventListener("click", (event) => {
+      const landmark = this.#nearest(event);
+      host.apply(landmark === undefined ? { scene: "picture" } : { "select-at": landmark });
+    });
     host.onPhoto(() => this.#drawSoon(host));
   }
 
-  /** Adds listeners for the pointer over the photo. */
-  listen({ hover, choose, press }: Listener) {
-    this.#canvas.addEventListener("pointermove", (event) => hover(this.#nearest(event)));
-    this.#canvas.addEventListener("pointerleave", () => hover(undefined));
-    this.#canvas.addEventListener("click", (event) => {
-      const landmark = this.#nearest(event);
-      if (landmark === undefined) press();
-      else choose(landmark);
-    });
+  /** @param listener called with the landmark under the pointer */
+  onHover(listener: (landmark: number | undefined) => void) {
+    this.#canvas.addEventListener("pointermove", (event) => listener(this.#nearest(event)));
+    this.#canvas.addEventListener("pointerleave", () => listener(undefined));
   }
 
   /** Size of the lead photo's picture, in px. */
@@ -149,14 +141,14 @@ export class PhotoOverlay {
     Object.assign(this.#canvas, { width: Math.round(width * scale), height: Math.round(height * scale) });
     this.#canvas.style.width = `${this.#canvas.width / ratio}px`;
     const context = fill(this.#canvas, part);
-    const positionOf = (landmark: number) => this.#positionOf(shown, landmark);
-    drawLandmarks(context, positionOf, shown.view.landmarks.length / 3, ratio);
+    this.#places = this.#placesOf(shown);
+    drawLandmarks(context, this.#places, ratio);
     context.strokeStyle = getComputedStyle(this.#canvas).color;
     for (const [landmark, radius, width] of [[this.#hovered, 4, 1], [this.#selected, 5, 2]] as const) {
       // Other vertices are not on the photo.
       if (landmark === undefined || landmark >= LANDMARK_COUNT) continue;
       context.lineWidth = width * ratio;
-      drawCircle(context, positionOf(landmark), radius * ratio);
+      drawCircle(context, this.#places[landmark], radius * ratio);
     }
   }
 
@@ -190,27 +182,24 @@ export class PhotoOverlay {
     return canvas;
   }
 
-  /** Position of a landmark on the canvas, in canvas px. */
-  #positionOf({ view, picture, crop }: Shown, landmark: number) {
-    const moved = this.#moved?.subarray(2 * landmark, 2 * landmark + 2);
-    const [x = 0, y = 0] = moved ?? view.landmarks.subarray(3 * landmark, 3 * landmark + 2);
+  #placesOf({ view, picture, crop }: Shown): Place[] {
     const { width, height } = this.#canvas;
-    return {
-      x: ((x * picture.width - crop.left) / crop.width) * width,
-      y: ((y * picture.height - crop.top) / crop.height) * height,
-    };
+    return Array.from({ length: view.landmarks.length / 3 }, (_, point) => {
+      const moved = this.#moved?.subarray(2 * point, 2 * point + 2);
+      const [x = 0, y = 0] = moved ?? view.landmarks.subarray(3 * point, 3 * point + 2);
+      return {
+        x: ((x * picture.width - crop.left) / crop.width) * width,
+        y: ((y * picture.height - crop.top) / crop.height) * height,
+      };
+    });
   }
 
   #nearest({ offsetX, offsetY }: MouseEvent) {
     const ratio = this.#canvas.width / this.#canvas.clientWidth;
-    let nearest: number | undefined;
-    let nearest_px = HIT_RADIUS_PX * ratio;
-    for (let landmark = 0; this.#shown && landmark < LANDMARK_COUNT; landmark++) {
-      const { x, y } = this.#positionOf(this.#shown, landmark);
-      const distance_px = Math.hypot(x - offsetX * ratio, y - offsetY * ratio);
-      if (distance_px < nearest_px) [nearest, nearest_px] = [landmark, distance_px];
-    }
-    return nearest;
+    const landmarks = this.#places.slice(0, LANDMARK_COUNT);
+    const distances_px = landmarks.map(({ x, y }) => Math.hypot(x - offsetX * ratio, y - offsetY * ratio));
+    const least_px = Math.min(...distances_px);
+    return least_px < HIT_RADIUS_PX * ratio ? distances_px.indexOf(least_px) : undefined;
   }
 
   #writeCaption() {

@@ -65,11 +65,7 @@ export class LandmarkMarks {
       },
       gesture: (action) => options.onGesture?.(action),
     });
-    options.overlay?.listen({
-      hover: (landmark) => this.#highlight(landmark),
-      choose: (landmark) => host.apply({ "select-at": landmark }),
-      press: () => host.apply({ scene: "picture" }),
-    });
+    options.overlay?.onHover((landmark) => this.#highlight(landmark));
   }
 
   #update({ selected, name, isSliding, isDragging, radiusMm, leavesPlane, isRefused }: State) {

@@ -14,6 +14,8 @@ const MAX_SAVED_BYTES = 400_000_000;
 const SAVED = /^(glTF|\s*\{)/;
 const START_BYTES = 16;
 
+type Decode<T> = (bytes: Uint8Array, original?: Uint8Array) => T;
+
 /** Reads a file, if it is not too large. */
 export async function readFile(file: Blob) {
   const isSaved = SAVED.test(new TextDecoder().decode(await bytesOf(file.slice(0, START_BYTES))));
@@ -28,7 +30,7 @@ export async function readFile(file: Blob) {
  * @param bytes of the file
  * @param decode `original`: the file, if the browser decoded it
  */
-export async function decoded<T>(file: Blob, bytes: Uint8Array, decode: (bytes: Uint8Array, original?: Uint8Array) => T) {
+export async function decoded<T>(file: Blob, bytes: Uint8Array, decode: Decode<T>) {
   try {
     return decode(bytes);
   } catch (error) {

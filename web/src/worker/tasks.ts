@@ -24,7 +24,7 @@ let queue: Promise<unknown> = Promise.resolve();
 
 export type Tasks = typeof tasks;
 
-/** What the page can ask of its worker, by the type of the request. */
+/** Tasks that the page can request, by the type of the request. */
 export const tasks = {
   /** Takes the URLs of the module and of its networks; the page sends this first. */
   load: async ({ module, networks }: { module: string; networks: string[] }) => {
@@ -41,8 +41,8 @@ export const tasks = {
     if (!isSaved) await withNetworks();
     const key = crypto.randomUUID();
     return enqueue(async () => {
-      const open = (readable: Uint8Array, original?: Uint8Array) => module.open(key, readable, MAX_FACES, report, original);
-      const opened = await decoded(file, bytes, open);
+      const opened = await decoded(file, bytes, (readable, original) =>
+        module.open(key, readable, MAX_FACES, report, original));
       const pictures = opened.faces[0]?.pictures ?? [];
       const bitmaps = await Promise.all(pictures.map((picture) => bitmapOf(module.picture(picture))));
       // In memory, so that the file stays readable.
