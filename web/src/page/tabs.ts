@@ -36,7 +36,7 @@ export function setUpTabs() {
 export function resetPanel(keepTab: boolean) {
   leaveField();
   if (!keepTab) choose(byId("tab-shape", HTMLButtonElement));
-  // Where the page scrolls, to the face.
+  // The page itself scrolls in tiny windows.
   scrollTo(0, 0);
 }
 
