@@ -42,7 +42,7 @@ for (const [[language, queries], tag] of variants(Object.entries(FOUND))) {
 }
 
 test("matches rank whole names first, then prefixes, words and parts; the shortest wins", async ({ page }) => {
-  const parts = await importParts(page, ["src/words/search.ts"]);
+  const parts = await importParts(page, ["src/words/names.ts"]);
   const found = await parts.evaluate(({ bestMatch }) => {
     const names = ["left outer chin · 9", "chin crease · 18", "chinless · 3", "deep chin · 4", "chin · 199", "right chin line · 2", "Ação · 5"];
     return ["chin", "chin 199", "chin c", "outer left", "hin", "acao", "· 5", "beard", "", " · "].map((text) => names[bestMatch(text, names) ?? -1]);

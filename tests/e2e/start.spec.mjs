@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { INSECURE_HOST } from "./browser.mjs";
 import { variants, test } from "./fixtures.mjs";
 import { delayFile } from "./delayed-file.mjs";
@@ -41,11 +42,54 @@ test("over plain HTTP, the page says that it needs HTTPS, at the start and for a
   }
 });
 
-test("without the words of its language, the page starts in English", async ({ open }) => {
+test("without the words of its language, the page is in English, and the language menu too", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR", before: (context) => context.route("**/pt-*.js", (route) => route.abort()) });
-  await visitor.page.waitForSelector("body[data-host='open']");
-  assert.equal(await visitor.page.innerText("#welcome-title"), "Drop a photo of a face");
-  await visitor.page.context().unroute("**/pt-*.js");
+  const { page } = visitor;
+  await page.waitForSelector("body[data-host='open']");
+  assert.equal(await page.innerText("#welcome-title"), "Drop a photo of a face");
+  await page.selectOption("#language", "pt");
+  await expect(page.locator("#language")).toHaveValue("en");
+  assert.ok(await page.isHidden("#notice"));
+});
+
+for (const [[languages, expected], tag] of variants([[["fr-FR", "pt-PT", "en"], "pt-BR"], [["fr", "EN-us", "pt"], "en"], [["de"], "en"], [["ptx", "en"], "en"]])) {
+  test(`a browser with the languages ${languages.join(", ")} gets ${expected}`, { tag }, async ({ open }) => {
+    const visitor = await open({ scripts: [`Object.defineProperty(navigator, "languages", { value: ${JSON.stringify(languages)} })`] });
+    await visitor.untilInteractive();
+    assert.equal(await visitor.page.getAttribute("html", "lang"), expected);
+  });
+}
+
+test("the page shows from its first paint that it is loading, and offers nothing that cannot be used yet", async ({ open }) => {
+  const [script, module] = [delayFile("**/page.js"), delayFile("**/*.wasm")];
+  const before = async (context) => {
+    await script.before(context);
+    await module.before(context);
+  };
+  const visitor = await open({ before, waitUntil: "commit", reducedMotion: "no-preference" });
+  const { page } = visitor;
+  await page.waitForSelector(".loading");
+  assert.equal(await page.innerText("#loading"), "Loading… · Carregando…");
+  const movement = () => page.locator(".loading progress").evaluate((bar) => getComputedStyle(bar).animationName);
+  assert.equal(await movement(), "wait");
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  assert.equal(await movement(), "none");
+  const usable = page.locator(":is(button, a, input, select, summary, [role=button]):visible:not([inert] *)");
+  assert.deepEqual(await usable.allInnerTexts(), []);
+
+  script.deliver();
+  await visitor.untilInteractive();
+  assert.equal(await page.innerText("#loading"), "Loading…");
+  for (const button of ["#welcome [data-action='choose']", "#drop-zone", "#theme"]) await page.click(button, { trial: true });
+  module.deliver();
+  await page.waitForSelector("body[data-host='open']");
+  assert.ok(await page.isHidden(".loading"));
+});
+
+test("without scripts, the page says that it did not start", async ({ open }) => {
+  const { page } = await open({ javaScriptEnabled: false });
+  assert.match(await page.innerText("#not-started"), /Part of the page didn’t load/);
+  assert.ok(await page.isHidden(".loading"));
 });
 
 test("a notice appears while modules do not arrive, and disappears when they do", async ({ open }) => {

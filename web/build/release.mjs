@@ -12,7 +12,8 @@ export const UNNAMED = "VERSION";
 
 /** Link or script of the page with a hash to be filled in. */
 const CHECKED = new RegExp(`((?:src|href)="${UNNAMED}/([^"]+)" integrity=")[^"]*`, "g");
-const NOT_STARTED = /(?<=<div id="not-started-words">)[\s\S]*?(?=<\/div>)/;
+const LOADING = /(?<=<p id="loading"[^>]*>)(?=<\/p>)/;
+const NOT_STARTED = /(?<=<div id="not-started-words">)(?=<\/div>)/;
 
 /** Downloaded only by browsers without WebGPU. */
 const FALLBACK = /^rosto-studio-webgl/;
@@ -23,7 +24,8 @@ export async function release(dist) {
   const version = sha256(JSON.stringify(files)).digest("hex").slice(0, 16);
   await rename(path.join(dist, UNNAMED), path.join(dist, version));
   const page = path.join(dist, "index.html");
-  const html = fill(String(await readFile(page)), NOT_STARTED, await failureHtml());
+  const words = await allWords();
+  const html = fill(fill(String(await readFile(page)), LOADING, inAll(words, "loading")), NOT_STARTED, failureHtml(words));
   const checked = html.replace(CHECKED, (_, start, name) => start + files[name]).replaceAll(`${UNNAMED}/`, `${version}/`);
   await writeFile(page, checked);
   await buildServiceWorker(dist, version, files);
@@ -60,16 +62,24 @@ function sha256(content) {
   return createHash("sha256").update(content);
 }
 
-/** The message shown when the page fails to start, in all languages. */
-async function failureHtml() {
+/** Words of each language. @returns {Promise<{ tag: string, words: Record<string, string> }[]>} */
+async function allWords() {
   const read = async (name) => JSON.parse(String(await readFile(path.join(WEB, "words", `${name}.json`))));
-  const all = await Promise.all((await read("languages")).map(async ({ id, tag }) => ({ tag, words: await read(id) })));
+  return Promise.all((await read("languages")).map(async ({ id, tag }) => ({ tag, words: await read(id) })));
+}
+
+/** A text in all languages. @param {Awaited<ReturnType<typeof allWords>>} all @param {string} key */
+function inAll(all, key) {
+  return all.map(({ tag, words }) => `<span lang="${tag}">${words[key]}</span>`).join(" · ");
+}
+
+/** The message shown when the page fails to start. @param {Awaited<ReturnType<typeof allWords>>} all */
+function failureHtml(all) {
   const texts = all.map(({ tag, words }) => [
     `<p class="notice-title" lang="${tag}">${words["not-started"]}</p>`,
     `<p lang="${tag}">${words["not-started.help"]}</p>`,
   ]);
-  const retry = all.map(({ tag, words }) => `<span lang="${tag}">${words["not-started.again"]}</span>`);
-  return [...texts.flat(), `<a class="button small" href="./" id="start-again">${retry.join(" · ")}</a>`].join("");
+  return [...texts.flat(), `<a class="button small" href="./" id="start-again">${inAll(all, "not-started.again")}</a>`].join("");
 }
 
 /** @param {string} text @param {RegExp} placeholder @param {string} content */

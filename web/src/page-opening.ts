@@ -1,8 +1,8 @@
 import { byId } from "./page/dom.ts";
 import { showHints } from "./page/hint.ts";
 import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.ts";
-import { hideProgress, showLoading, showStage } from "./page/progress.ts";
-import { resetPanel } from "./page/reset-panel.ts";
+import { hideProgress, showProgress } from "./page/progress.ts";
+import { resetPanel } from "./page/tabs.ts";
 import { isTrap } from "./studio-module.ts";
 import { Opening } from "./opening.ts";
 import { recentFaces } from "./work/recent-faces.ts";
@@ -31,7 +31,7 @@ export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpe
       dismissNotices();
       hideProgress();
     },
-    progress: (stage, fraction) => (stage === "loading" ? showLoading() : showStage(stage, fraction)),
+    progress: showProgress,
     prepare: async ({ face, faces }, picture) => {
       const prepared = await overlay.prepare(face, picture);
       faceChoice.prepare(faces, picture);

@@ -6,18 +6,19 @@ export function byId<T extends Element>(id: string, type: new () => T): T {
 }
 
 /** Creates an element with a class and text. */
-export function make<K extends keyof HTMLElementTagNameMap>(tag: K, className = "", text?: string): HTMLElementTagNameMap[K] {
+export function make<K extends keyof HTMLElementTagNameMap>(tag: K, className = "", text?: string) {
   const element = document.createElement(tag);
   if (className) element.className = className;
   if (text !== undefined) element.textContent = text;
   return element;
 }
 
-/** Creates a decorative icon from the page's SVG symbols. */
+/** Creates a decorative icon. */
 export function makeIcon(name: string) {
-  const [icon, use] = ["svg", "use"].map((tag) => document.createElementNS("http://www.w3.org/2000/svg", tag)) as [SVGElement, SVGElement];
+  const icon = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  const use = document.createElementNS("http://www.w3.org/2000/svg", "use");
   icon.setAttribute("aria-hidden", "true");
-  use.setAttribute("href", `#icon-${name}`);
+  use.setAttribute("href", `${new URL("./icons.svg", import.meta.url)}#${name}`);
   icon.append(use);
   return icon;
 }
@@ -36,20 +37,12 @@ export function isTyping(event: Event) {
   return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }
 
-type Action = (event: MouseEvent) => void;
-
-/** Actions by the name of their buttons. */
-const actions = new Map<string, Set<Action>>();
-
 /** Runs `action` when any button with `data-action="name"` is pressed, also a later one. */
-export function onAction(name: string, action: Action) {
-  if (actions.size === 0) document.addEventListener("click", perform);
-  actions.set(name, (actions.get(name) ?? new Set()).add(action));
-}
-
-function perform(event: MouseEvent) {
-  const button = event.target instanceof Element && event.target.closest<HTMLButtonElement>("button[data-action]");
-  if (button) for (const action of actions.get(button.dataset["action"] ?? "") ?? []) action(event);
+export function onAction(name: string, action: (event: MouseEvent) => void) {
+  document.addEventListener("click", (event) => {
+    const isMeant = event.target instanceof Element && event.target.closest(`button[data-action="${name}"]`);
+    if (isMeant) action(event);
+  });
 }
 
 /** Enables the buttons of an action. */

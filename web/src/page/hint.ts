@@ -3,48 +3,43 @@ import { byId } from "./dom.ts";
 import { remember, remembered } from "./remember.ts";
 
 /** Actions that the hints suggest, in order. */
-const ACTIONS = (["drag", "turn"] as const);
+const ACTIONS = ["drag", "turn"] as const;
 
 export type Action = (typeof ACTIONS)[number];
 
-const completed: Set<string> = new Set();
 let isShowing = false;
-const listeners: Set<(action: Action | undefined) => void> = new Set();
+const listeners = new Set<(action: Action | undefined) => void>();
 
-/** Loads completed hints and writes the current one in each locale. */
+/** Writes the current hint in each locale. */
 export function setUpHints() {
-  for (const action of ACTIONS) if (remembered(`did.${action}`)) completed.add(action);
-  onLocaleChange(write);
+  onHint((action) => {
+    const element = byId("hint", HTMLParagraphElement);
+    element.hidden = action === undefined;
+    if (action) element.textContent = t(`hint.${action}`);
+  });
+  onLocaleChange(notify);
 }
 
 /** Shows the first hint that is not completed yet. */
 export function showHints() {
   isShowing = true;
-  write();
+  notify();
 }
 
-/** Marks the action's hint as completed. */
+/** Marks the action's hint as completed, also for later visits. */
 export function completeHint(action: Action) {
-  if (completed.has(action)) return;
-  completed.add(action);
+  if (remembered(`did.${action}`)) return;
   remember(`did.${action}`, "yes");
-  write();
+  notify();
 }
 
 /** @param listener called now and later with the suggested action */
 export function onHint(listener: (action: Action | undefined) => void) {
   listeners.add(listener);
-  listener(suggested());
+  notify();
 }
 
-function suggested(): Action | undefined {
-  return isShowing ? ACTIONS.find((action) => !completed.has(action)) : undefined;
-}
-
-function write() {
-  const element = byId("hint", HTMLParagraphElement);
-  const action = suggested();
-  element.hidden = action === undefined;
-  if (action) element.textContent = t(`hint.${action}`);
-  for (const listener of listeners) listener(action);
+function notify() {
+  const suggested = isShowing ? ACTIONS.find((action) => !remembered(`did.${action}`)) : undefined;
+  for (const listener of listeners) listener(suggested);
 }

@@ -1,26 +1,23 @@
-import { onLocaleChange, isWord, t } from "../words/words.ts";
+import { isWord, onLocaleChange, t } from "../words/words.ts";
 import { byId } from "./dom.ts";
 import { asPageError } from "./page-error.ts";
-import type { WordKey } from "../words/words.ts";
 
-export type Remark = "one-of-several" | "adds-little" | "earlier-work" | "may-not-be-a-face";
-
-export type Notice = { kind: "error" | "remark"; code: string; words: () => { title: string; hint: string; }; };
-
-export type Owner = "page" | "studio" | "gpu";
+type Remark = "one-of-several" | "adds-little" | "earlier-work" | "may-not-be-a-face";
+type Notice = { kind: "error" | "remark"; code: string; words: () => { title: string; hint: string } };
+type Owner = "page" | "studio" | "gpu";
 
 /** One notice per owner; the most recent one is shown. */
-const notices: Map<Owner, Notice> = new Map();
+const notices = new Map<Owner, Notice>();
 /** Whether the browser saves the work. */
 let savesWork = true;
 
 /** Writes notices in each locale and makes them closable. */
 export function setUpNotice() {
-  byId("notice-close", HTMLButtonElement).addEventListener("click", () => dismissNotices());
-  addEventListener("keydown", ({ key }) => {
-    if (key === "Escape") dismissNotices();
-  });
-  for (const change of ["toggle", "close"]) addEventListener(change, ({ target }) => target instanceof HTMLDialogElement && write(), { capture: true });
+  byId("notice-close", HTMLButtonElement).addEventListener("click", dismissNotices);
+  addEventListener("keydown", ({ key }) => key === "Escape" && dismissNotices());
+  for (const change of ["toggle", "close"]) {
+    addEventListener(change, ({ target }) => target instanceof HTMLDialogElement && write(), { capture: true });
+  }
   onLocaleChange(write);
 }
 
@@ -74,6 +71,7 @@ export function setSavesWork(saves: boolean) {
 }
 
 function show(notice: Notice, owner: Owner = "page") {
+  // Makes it the most recent one.
   notices.delete(owner);
   notices.set(owner, notice);
   write();
@@ -86,28 +84,28 @@ function noticeOf(thrown: unknown): Notice {
   return { kind: "error", code, words: () => errorText(code) };
 }
 
+/** Translated text of an error; messages of the modules are English and for developers. */
+function errorText(code: string) {
+  const key = `error.${code}`;
+  const known = isWord(key) ? key : "error.other";
+  const hints = [savesWork ? "" : `${known}.hint.unkept`, `${known}.hint`];
+  return { title: t(known), hint: t(hints.find(isWord) ?? "error.other.hint") };
+}
+
 function write() {
   const notice = byId("notice", HTMLDivElement);
   const shown = [...notices.values()].at(-1);
-  notice.hidden = shown === undefined;
+  notice.hidden = !shown;
   place(notice);
   if (!shown) return;
   const { title, hint } = shown.words();
-  notice.dataset["kind"] = shown.kind;
-  notice.dataset["code"] = shown.code;
+  Object.assign(notice.dataset, { kind: shown.kind, code: shown.code });
   byId("notice-title", HTMLParagraphElement).textContent = title;
   byId("notice-hint", HTMLParagraphElement).textContent = hint;
 }
 
-/** Position of the notice while no dialog is open. */
-let placeholder: Comment | undefined;
-
 /** Moves the notice into an open modal dialog, because elements outside it are inert. */
 function place(notice: HTMLElement) {
-  if (!placeholder) {
-    placeholder = document.createComment("notice");
-    notice.before(placeholder);
-  }
   const dialog = [...document.querySelectorAll("dialog:modal")].at(-1);
   if (dialog && !notice.hidden) {
     if (notice.parentElement === dialog) return;
@@ -116,21 +114,6 @@ function place(notice: HTMLElement) {
     notice.showPopover();
   } else if (notice.popover) {
     notice.popover = null;
-    placeholder.after(notice);
+    byId("not-started", HTMLDivElement).before(notice);
   }
-}
-
-/** Translated text of an error; messages of the modules are English and for developers. */
-function errorText(code: string) {
-  const key = `error.${code}`;
-  const known = isWord(key) ? key : "error.other";
-  return { title: t(known), hint: t(hintKey(known)) };
-}
-
-/** @param key key of an error's text */
-function hintKey(key: string): WordKey {
-  const hint = `${key}.hint`;
-  const unsaved = `${hint}.unkept`;
-  if (!savesWork && isWord(unsaved)) return unsaved;
-  return isWord(hint) ? hint : "error.other.hint";
 }

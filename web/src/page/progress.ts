@@ -4,56 +4,36 @@ import type { Stage } from "../worker/protocol.ts";
 
 const STAGES: Stage[] = ["decode", "detect", "landmarks"];
 
-let phase: "hidden" | "loading" | "working" | "done" = "hidden";
+let phase: "loading" | "working" | undefined;
 
 /** Writes the progress title in each locale. */
 export function setUpProgress() {
-  onLocaleChange(writeTitle);
-}
-
-/** Shows that the photo waits for the networks to load. */
-export function showLoading() {
-  setPhase("loading");
-  byId("progress-bar", HTMLProgressElement).removeAttribute("value");
-  markSteps(-1);
+  onLocaleChange(() => setPhase(phase));
 }
 
 /**
- * Shows the current stage. The bar does not go back within a photo.
+ * Shows the current stage, or that the photo waits for the networks. The bar does not go back within a photo.
  *
  * @param fraction total progress, 0 to 1
  */
-export function showStage(stage: Stage, fraction: number) {
+export function showProgress(stage: Stage | "loading", fraction: number) {
   const bar = byId("progress-bar", HTMLProgressElement);
-  bar.value = phase === "working" ? Math.max(bar.value, fraction) : fraction;
-  setPhase("working");
-  markSteps(STAGES.indexOf(stage));
+  if (stage === "loading") bar.removeAttribute("value");
+  else bar.value = phase === "working" ? Math.max(bar.value, fraction) : fraction;
+  setPhase(stage === "loading" ? "loading" : "working");
+  for (const item of byId("progress-steps", HTMLOListElement).querySelectorAll("li")) {
+    const lead = STAGES.indexOf(stage as Stage) - STAGES.indexOf(item.dataset["step"] as Stage);
+    item.dataset["now"] = lead > 0 ? "done" : lead === 0 ? "current" : "later";
+    item.ariaCurrent = lead === 0 ? "step" : null;
+  }
 }
 
 export function hideProgress() {
-  setPhase("hidden");
+  setPhase(undefined);
 }
 
 function setPhase(next: typeof phase) {
-  if (phase === next) return;
   phase = next;
-  byId("progress", HTMLElement).hidden = next === "hidden";
-  writeTitle();
-}
-
-function writeTitle() {
-  const title = byId("progress-title", HTMLParagraphElement);
-  if (phase === "loading") title.textContent = t("progress.loading");
-  if (phase === "working") title.textContent = t("progress.working");
-}
-
-/** @param now index of the current step */
-function markSteps(now: number) {
-  for (const item of byId("progress-steps", HTMLOListElement).children) {
-    if (!(item instanceof HTMLElement)) continue;
-    const step = STAGES.indexOf((item.dataset["step"] as Stage));
-    item.dataset["now"] = step < now ? "done" : step === now ? "current" : "later";
-    if (step === now) item.setAttribute("aria-current", "step");
-    else item.removeAttribute("aria-current");
-  }
+  byId("progress", HTMLElement).hidden = !next;
+  if (next) byId("progress-title", HTMLParagraphElement).textContent = t(`progress.${next}`);
 }

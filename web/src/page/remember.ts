@@ -1,9 +1,14 @@
 /** Choices of this visit, for browsers without storage. */
-const chosen = new Map();
+const chosen = new Map<string, string>();
 
 /** Returns a choice of this or an earlier visit. */
 export function remembered(name: string): string | undefined {
-  return chosen.get(name) ?? stored(name);
+  try {
+    return chosen.get(name) ?? localStorage.getItem(`rosto.${name}`) ?? undefined;
+  } catch {
+    // Storage may be blocked.
+    return undefined;
+  }
 }
 
 /** Stores a choice for later visits, or for this one if the browser refuses. */
@@ -13,13 +18,5 @@ export function remember(name: string, choice: string) {
     localStorage.setItem(`rosto.${name}`, choice);
   } catch {
     // Storage may be blocked or full.
-  }
-}
-
-function stored(name: string) {
-  try {
-    return localStorage.getItem(`rosto.${name}`) ?? undefined;
-  } catch {
-    return undefined;
   }
 }

@@ -1,15 +1,7 @@
 import { byId } from "./dom.ts";
 
 /** Windows without a panel head, as in the style sheets. */
-const SMALL = matchMedia("(width < 560px), (width < 720px) and (orientation: portrait), (height < 560px)");
-
-/** Index of the tab that a key selects. */
-const NEXT_TAB: Record<string, (place: number, count: number) => number> = {
-  ArrowRight: (place, count) => (place + 1) % count,
-  ArrowLeft: (place, count) => (place - 1 + count) % count,
-  Home: () => 0,
-  End: (_, count) => count - 1,
-};
+const SMALL = matchMedia("(width < 35rem), (width < 45rem) and (orientation: portrait), (height < 35rem)");
 
 /** Sets up the panel's tabs, for pointer and keyboard. */
 export function setUpTabs() {
@@ -17,7 +9,9 @@ export function setUpTabs() {
   for (const [place, tab] of tabs.entries()) {
     tab.addEventListener("click", () => choose(tab));
     tab.addEventListener("keydown", (event) => {
-      const next = tabs[NEXT_TAB[event.key]?.(place, tabs.length) ?? -1];
+      // A negative place counts from the end.
+      const places: Record<string, number> = { ArrowRight: (place + 1) % tabs.length, ArrowLeft: place - 1, Home: 0, End: -1 };
+      const next = tabs.at(places[event.key] ?? Number.POSITIVE_INFINITY);
       if (!next) return;
       event.preventDefault();
       event.stopPropagation();
@@ -25,18 +19,35 @@ export function setUpTabs() {
       next.focus();
     });
   }
-  byId("skip-link", HTMLAnchorElement).addEventListener("click", () => reveal("section-landmark"));
+  // Its target can be in another tab and a closed section.
+  byId("skip-link", HTMLAnchorElement).addEventListener("click", () => {
+    choose(byId("tab-shape", HTMLButtonElement));
+    byId("section-landmark", HTMLDetailsElement).open = true;
+  });
   SMALL.addEventListener("change", placeSettings);
   placeSettings();
 }
 
-/** Shows a section: selects its tab and opens the folds around it. */
-export function reveal(id: string) {
-  const section = byId(id, HTMLElement);
-  const name = section.closest("#sections > [data-tab]")?.getAttribute("data-tab");
-  const tab = allTabs().find(({ dataset }) => dataset["tabName"] === name);
-  if (tab && tab.getAttribute("aria-selected") !== "true") choose(tab);
-  for (let fold = section.closest("details"); fold; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
+/**
+ * Resets the panel when another face opens: unfinished input, tab and scroll position.
+ *
+ * @param keepTab keep the tab, because the user chose another face of the same visit
+ */
+export function resetPanel(keepTab: boolean) {
+  leaveField();
+  if (!keepTab) choose(byId("tab-shape", HTMLButtonElement));
+  // The page itself scrolls in tiny windows.
+  scrollTo(0, 0);
+}
+
+/** Blurs the focused field of the panel without its change event, which would edit the new face. */
+function leaveField() {
+  const field = document.activeElement;
+  if (!(field instanceof HTMLInputElement) || !field.closest("#panel")) return;
+  const suppress = (event: Event) => event.stopImmediatePropagation();
+  addEventListener("change", suppress, true);
+  field.blur();
+  removeEventListener("change", suppress, true);
 }
 
 /** Selects a tab and scrolls to its top. */
@@ -44,7 +55,7 @@ function choose(chosen: HTMLButtonElement) {
   const sections = byId("sections", HTMLDivElement);
   document.body.dataset["tab"] = chosen.dataset["tabName"] ?? "shape";
   for (const tab of allTabs()) {
-    tab.setAttribute("aria-selected", String(tab === chosen));
+    tab.ariaSelected = String(tab === chosen);
     tab.tabIndex = tab === chosen ? 0 : -1;
   }
   sections.setAttribute("aria-labelledby", chosen.id);
@@ -59,5 +70,5 @@ function placeSettings() {
 }
 
 function allTabs() {
-  return ([...document.querySelectorAll("[role=tab]")] as HTMLButtonElement[]);
+  return [...document.querySelectorAll<HTMLButtonElement>("[role=tab]")];
 }

@@ -7,46 +7,34 @@ const START_TIMEOUT_MS = 60_000;
 /** After this time, a file is saved unchecked. */
 const TIMEOUT_MS = 5000;
 
-/** Runs Khronos' glTF validator in a worker. */
-export class Validator {
-  #worker: Worker | undefined;
-  #pending: Map<number, (verdict: Verdict | undefined) => void> = new Map();
-  #lastId = 0;
+/** Undefined until it has started, and after a failure. */
+let worker: Worker | undefined;
 
-  /** Starts the worker. Resolves when it is ready or has failed. */
-  start() {
-    return new Promise<void>((resolve) => {
-      setTimeout(resolve, START_TIMEOUT_MS);
-      const worker = new Worker(scriptUrl(new URL("./validator-worker.js", import.meta.url)));
-      worker.addEventListener("message", ({ data }) => {
-        if (data.ready) {
-          this.#worker = worker;
-          resolve();
-        } else {
-          this.#settle(data.id, data.verdict);
-        }
-      });
-      worker.addEventListener("error", (event) => {
-        event.preventDefault();
-        this.#worker = undefined;
-        resolve();
-      });
+/** Starts Khronos' glTF validator in a worker. Resolves when it is ready or has failed. */
+export function startValidator() {
+  return new Promise<void>((resolve) => {
+    setTimeout(resolve, START_TIMEOUT_MS);
+    const starting = new Worker(scriptUrl(new URL("./validator-worker.js", import.meta.url)));
+    const settle = (started: Worker | undefined) => {
+      worker = started;
+      resolve();
+    };
+    starting.addEventListener("message", () => settle(starting), { once: true });
+    starting.addEventListener("error", (event) => {
+      event.preventDefault();
+      settle(undefined);
     });
-  }
+  });
+}
 
-  /** Validates a GLB; undefined if the validator is not available. */
-  check(bytes: Uint8Array): Promise<Verdict | undefined> {
-    if (!this.#worker) return Promise.resolve(undefined);
-    const id = ++this.#lastId;
-    return new Promise((resolve) => {
-      this.#pending.set(id, resolve);
-      setTimeout(() => this.#settle(id, undefined), TIMEOUT_MS);
-      this.#worker?.postMessage({ id, bytes });
-    });
-  }
-
-  #settle(id: number, verdict: Verdict | undefined) {
-    this.#pending.get(id)?.(verdict);
-    this.#pending.delete(id);
-  }
+/** Validates a GLB; undefined if the validator is not available. */
+export function validate(bytes: Uint8Array) {
+  return new Promise<Verdict | undefined>((resolve) => {
+    if (!worker) return resolve(undefined);
+    const id = crypto.randomUUID();
+    const signal = AbortSignal.timeout(TIMEOUT_MS);
+    signal.addEventListener("abort", () => resolve(undefined));
+    worker.addEventListener("message", ({ data }) => data.id === id && resolve(data.verdict), { signal });
+    worker.postMessage({ id, bytes });
+  });
 }

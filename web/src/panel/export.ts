@@ -2,7 +2,7 @@ import { onAction } from "../page/dom.ts";
 import { download } from "../page/download.ts";
 import { showError } from "../page/notice.ts";
 import { toast } from "../page/toast.ts";
-import type { Validator } from "../page/validator.ts";
+import { validate } from "../page/validator.ts";
 import type { Opening } from "../opening.ts";
 import { setUpArLink } from "../share/ar-link.ts";
 import { beforeAndAfter } from "../share/before-and-after.ts";
@@ -23,7 +23,6 @@ const PNG = "image/png";
 interface Context {
   host: Host;
   opening: Opening;
-  validator: Validator;
   files: FaceFiles;
   /** Size in px of the lead photo's picture. */
   pictureSize: () => { width: number; height: number };
@@ -57,13 +56,13 @@ export function setUpExport(context: Context) {
 }
 
 /** Validating, downloading and sharing the GLB. */
-function offerGlb({ host, validator }: Context, makeMesh: (format: string) => Promise<File>) {
+function offerGlb({ host }: Context, makeMesh: (format: string) => Promise<File>) {
   const report = (about: Report) => host.applyShown({ report: about });
   const make = async (isValidated: boolean) => {
     report({ "glb-started": { isValidated } });
     try {
       const file = await makeMesh("glb");
-      const validated = isValidated ? await validator.check(new Uint8Array(await file.arrayBuffer())) : undefined;
+      const validated = isValidated ? await validate(new Uint8Array(await file.arrayBuffer())) : undefined;
       const verdict = validated ? { validated } : "unchecked";
       report({ "glb-made": { bytes: file.size, verdict: isValidated ? verdict : undefined } });
       return file;

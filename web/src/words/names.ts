@@ -1,18 +1,13 @@
-import { bestMatch } from "./search.ts";
 import { isWord, t } from "./words.ts";
 
-/**
- * The name for an id; falls back to the id itself.
- *
- * @param kind such as "region"
- * @param id such as "left-brow"
- */
-export function idName(kind: string, id: string) {
-  const key = `${kind}.${id}`;
-  if (isWord(key)) return t(key);
-  const plain = id.replaceAll("-", " ");
-  return kind === "slider" ? plain.charAt(0).toUpperCase() + plain.slice(1) : plain;
-}
+/** Match criteria for normalised names, best first. */
+const RANKS: ((name: string, query: string) => boolean)[] = [
+  (name, query) => name.startsWith(query) && /^ ?\d*$/.test(name.slice(query.length)),
+  (name, query) => name.startsWith(`${query} `),
+  (name, query) => name.startsWith(query),
+  (name, query) => query.split(" ").every((start) => ` ${name}`.includes(` ${start}`)),
+  (name, query) => name.includes(query),
+];
 
 /** Whether labels include the numbers of points, for experts. */
 let showNumbers = false;
@@ -22,23 +17,25 @@ export function setPointNumbersShown(shown: boolean) {
 }
 
 /**
- * A landmark's anatomical name, or the name of its part of the face.
+ * The name for an id; falls back to the id itself.
+ *
+ * @param kind such as "operator"
+ * @param id such as "mean-value"
+ */
+export function idName(kind: string, id: string) {
+  const key = `${kind}.${id}`;
+  return isWord(key) ? t(key) : id.replaceAll("-", " ");
+}
+
+/**
+ * A landmark's anatomical name, or the name of its part of the face; with its number for experts.
  *
  * @param id such as "left-mouth-corner" or "left-cheek-427"
  */
-export function landmarkName(id: string) {
-  const part = /^(?<part>.*)-\d+$/.exec(id)?.groups?.["part"];
-  return part === undefined ? idName("landmark", id) : idName("part", part);
-}
-
-/** A landmark's name with its number, such as "nose tip · 1". */
-export function numberedLandmarkName(id: string, number: number) {
-  return `${landmarkName(id)} · ${number}`;
-}
-
-/** A landmark's label, with its number for experts. */
-export function landmarkLabel(id: string, number: number) {
-  return showNumbers ? numberedLandmarkName(id, number) : landmarkName(id);
+export function landmarkLabel(id: string, number: number, isNumbered = showNumbers) {
+  const part = /^(.*)-\d+$/.exec(id)?.[1];
+  const name = part === undefined ? idName("landmark", id) : idName("part", part);
+  return isNumbered ? `${name} · ${number}` : name;
 }
 
 /**
@@ -49,5 +46,29 @@ export function landmarkLabel(id: string, number: number) {
 export function findVertex(query: string, landmarkIds: string[], selectableCount: number) {
   const text = query.trim();
   if (/^\d+$/.test(text)) return Number(text) < selectableCount ? Number(text) : undefined;
-  return bestMatch(text, landmarkIds.map((id, number) => numberedLandmarkName(id, number)));
+  return bestMatch(text, landmarkIds.map((id, number) => landmarkLabel(id, number, true)));
+}
+
+/**
+ * Index of the best match: the full name, the name without its number, leading words, a prefix, prefixes of words, or
+ * any substring. Among equals, the shortest name wins. Ignores case, accents and punctuation.
+ *
+ * @returns undefined without a match
+ */
+export function bestMatch(text: string, names: string[]): number | undefined {
+  const query = normalise(text);
+  if (query === "") return undefined;
+  const candidates = names.map((name, index) => ({ name: normalise(name), index }));
+  candidates.sort((a, b) => a.name.length - b.name.length);
+  for (const matches of RANKS) {
+    const best = candidates.find(({ name }) => matches(name, query));
+    if (best) return best.index;
+  }
+  return undefined;
+}
+
+/** Removes accents, case and punctuation. */
+function normalise(text: string) {
+  const bare = text.normalize("NFD").replaceAll(/\p{M}/gu, "").toLowerCase();
+  return bare.replaceAll(/[^\p{L}\p{N}]+/gu, " ").trim();
 }
