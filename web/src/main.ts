@@ -5,7 +5,7 @@ import { setUpDialogs } from "./page/dialogs.ts";
 import { byId, onAction } from "./page/dom.ts";
 import { completeHint, setUpHints } from "./page/hint.ts";
 import { hideNotice, setUpNotice, showError } from "./page/notice.ts";
-import { setUpExport } from "./panel/export.ts";
+import { loadPictures, setUpExport } from "./panel/export.ts";
 import { setUpPanels } from "./panel/page-panels.ts";
 import { textOf } from "./panel/phrase.ts";
 import { storeOffline } from "./offline.ts";
@@ -18,7 +18,7 @@ import { afterNextFrame } from "./page/tasks.ts";
 import { setUpTheme } from "./page/theme.ts";
 import { Validator } from "./page/validator.ts";
 import { PaperPanel } from "./panel/paper-panel.ts";
-import { PhotosPanel } from "./panel/photos-panel.ts";
+import { setUpPhotos } from "./panel/photos-panel.ts";
 import { setUpCamera } from "./photo/camera.ts";
 import { FaceChoice } from "./photo/face-choice.ts";
 import { setUpPhotoInput } from "./photo/photo-input.ts";
@@ -83,7 +83,7 @@ async function openHost() {
     setUpScene(opened);
     setUpSplitView(opened);
     setUpBrushMarks(opened);
-    new PhotosPanel(opened, opening, vision);
+    setUpPhotos(opened, opening, vision);
     const files = new FaceFiles(opened, vision, opening);
     new WholeTexture(opened, files, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
     setUpExport({ host: opened, opening, validator, files, pictureSize: () => overlay.pictureSize });
@@ -106,7 +106,7 @@ async function loadInBackground() {
   vision.start();
   await vision.ready;
   await host;
-  await Promise.allSettled([showSample(), validator.start(), storeOffline()]);
+  await Promise.allSettled([showSample(), validator.start(), loadPictures(), storeOffline()]);
 }
 
 /** Sets up a restarted studio, which then gets its face again. */

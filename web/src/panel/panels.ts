@@ -2,7 +2,7 @@ import { isWord, t } from "../words/words.ts";
 import type { Control, Phrase, Widget } from "../../wasm/rosto-studio-web.js";
 import { enableAction, make, makeIcon, onAction } from "../page/dom.ts";
 import { textOf } from "./phrase.ts";
-import { SliderView } from "./slider.ts";
+import { makeSlider } from "./slider.ts";
 import { domId, labelOf, type Send, type View } from "./widget.ts";
 
 type Of<K extends Control["kind"]> = Extract<Control, { kind: K }>;
@@ -57,7 +57,7 @@ export class Panels {
       case "group":
         return this.#makeGroup(id, control);
       case "slider":
-        return new SliderView(id, control, this.#send);
+        return makeSlider(id, control, this.#send);
       case "check":
         return makeCheck(id, this.#send);
       case "choice":
