@@ -62,10 +62,11 @@ function offerMeshes({ host, opening, validator, files }: Context) {
   perform(host, "check-glb", () => makeGlb(true));
   perform(host, "download-glb", async () => save(await makeGlb(true)));
   perform(host, "share-glb", async () => share(await makeGlb(false)));
-  const refuse = setUpPrint(host, files);
+  const print = setUpPrint(host, files);
   const { formats, printedFormats } = host.catalogue;
   for (const id of formats.filter((id) => id !== "glb")) {
-    perform(host, `download-${id}`, async () => save(await makeMesh(id)), printedFormats.includes(id) ? refuse : undefined);
+    const download = async () => save(await makeMesh(id));
+    perform(host, `download-${id}`, printedFormats.includes(id) ? () => print(download) : download);
   }
   perform(host, "save-project", async () => {
     const name = fileName(opening.face, "rosto");
@@ -80,23 +81,22 @@ function offerMeshes({ host, opening, validator, files }: Context) {
 }
 
 /** Performs the action of a button. */
-function perform(host: Host, name: string, act: () => Promise<unknown>, refuse = (error: unknown) => host.fail(error)) {
-  onAction(name, () => act().catch(refuse));
+function perform(host: Host, name: string, act: () => Promise<unknown>) {
+  onAction(name, () => act().catch((error) => host.fail(error)));
 }
 
 /** Opens a USDZ in AR Quick Look, which detects the format by the file name and expects a picture in the link. */
 function viewInAr(file: File) {
-  const link = make("a");
+  const link = make("a", "", make("img"));
   Object.assign(link, { rel: "ar", href: URL.createObjectURL(file), download: file.name });
-  link.append(make("img"));
   link.click();
   // The browser reads the file after this task.
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
 /**
- * Measures the printed body while its panel is visible; the worker computes it. Returns a function that shows why a
- * body could not be made.
+ * Measures the printed body while its panel is visible; the worker computes it. Returns a function that makes a file of
+ * the body, and shows in the panel why it could not.
  */
 function setUpPrint(host: Host, files: FaceFiles) {
   const fold = byId("print", HTMLDetailsElement);
@@ -125,12 +125,17 @@ function setUpPrint(host: Host, files: FaceFiles) {
   });
   // Measures only while visible, so starts when the fold or its tab opens.
   new ResizeObserver(measureSoon).observe(fold);
-  return (error: unknown) => {
-    // A pending result would hide the reason.
-    clearTimeout(timer);
-    changed += 1;
-    measured = changed;
-    show(refusal(error));
+  return async (make: () => Promise<void>) => {
+    const number = changed;
+    await make().catch((error) => {
+      // A pending result would hide the reason, unless the body has changed since.
+      if (number === changed) {
+        clearTimeout(timer);
+        changed += 1;
+        measured = changed;
+      }
+      show(refusal(error));
+    });
   };
 }
 
@@ -157,7 +162,8 @@ function offerPhoto({ host, opening, files, pictureSize }: Context) {
     const { face } = opening;
     if (!face) return;
     const { width, height } = pictureSize();
-    report({ face: { stem: face.name, savedPx: leadPhotoOf(face).source.kind === "saved" ? [width, height] : undefined } });
+    const isSaved = leadPhotoOf(face).source.kind === "saved";
+    report({ face: { stem: face.name, savedPx: isSaved ? [width, height] : undefined } });
   });
 }
 

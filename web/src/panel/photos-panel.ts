@@ -33,7 +33,8 @@ export function setUpPhotos(host: Host, opening: Opening, vision: VisionClient) 
     add.disabled = photos.length >= host.catalogue.maxPhotos;
     if (!face || pictures.length !== photos.length) return;
     const focused = [list, restore].find((part) => part.contains(document.activeElement));
-    if (pictures.join() !== shown) list.replaceChildren(...(pictures.length > 1 ? pictures.map((picture) => row(face, picture)) : []));
+    const listed = pictures.length > 1 ? pictures : [];
+    if (pictures.join() !== shown) list.replaceChildren(...listed.map((picture) => row(face, picture)));
     shown = pictures.join();
     restore.hidden = removed?.face !== face || removed.pictures !== shown;
     if (focused && (focused.hidden || !focused.contains(document.activeElement))) add.focus();
@@ -45,15 +46,23 @@ export function setUpPhotos(host: Host, opening: Opening, vision: VisionClient) 
     }
   };
   const row = (face: Face, picture: string) => {
-    const [element, canvas, button] = [make("li"), make("canvas"), make("button", "icon-button")];
+    const [canvas, button] = [make("canvas"), make("button", "icon-button", makeIcon("close"))];
     canvas.ariaHidden = "true";
-    drawThumbnail(canvas, photoOf(face, picture), vision).catch((error) => console.warn("cannot draw a thumbnail:", error));
+    drawThumbnail(canvas, photoOf(face, picture)).catch((error) => console.warn("cannot draw a thumbnail:", error));
     button.type = "button";
-    button.append(makeIcon("close"));
     // A double click would also remove the photo that moves into this row.
     button.addEventListener("click", ({ detail }) => detail < 2 && remove(picture));
-    element.append(canvas, make("span"), button);
-    return element;
+    return make("li", "", canvas, make("span"), button);
+  };
+  const drawThumbnail = async (canvas: HTMLCanvasElement, { photos, pictures: [picture = ""], files }: FacePhoto) => {
+    const whole = await vision.picture(picture, files);
+    const { x, y, side } = faceBox(viewsOf(photos)[0]?.landmarks ?? new Float32Array(), whole.width, whole.height);
+    const crop = AROUND_FACE * side;
+    canvas.width = canvas.height = Math.round(THUMBNAIL_PX * devicePixelRatio);
+    const context = canvas.getContext("2d");
+    if (context) context.imageSmoothingQuality = "high";
+    context?.drawImage(whole, x - crop / 2, y - crop / 2, crop, crop, 0, 0, canvas.width, canvas.height);
+    whole.close();
   };
   const count = () => opening.face?.pictures.length ?? 0;
   const change = async (act: () => Promise<void>) => {
@@ -85,19 +94,6 @@ export function setUpPhotos(host: Host, opening: Opening, vision: VisionClient) 
   });
   host.onChange(show);
   onLocaleChange(() => host.read(show));
-}
-
-/** Draws the face in a photo. */
-async function drawThumbnail(canvas: HTMLCanvasElement, { photos, pictures: [picture = ""], files }: FacePhoto, vision: VisionClient) {
-  const whole = await vision.picture(picture, files);
-  const landmarks = viewsOf(photos)[0]?.landmarks ?? new Float32Array();
-  const { x, y, side } = faceBox(landmarks, whole.width, whole.height);
-  const crop = AROUND_FACE * side;
-  canvas.width = canvas.height = Math.round(THUMBNAIL_PX * devicePixelRatio);
-  const context = canvas.getContext("2d");
-  if (context) context.imageSmoothingQuality = "high";
-  context?.drawImage(whole, x - crop / 2, y - crop / 2, crop, crop, 0, 0, canvas.width, canvas.height);
-  whole.close();
 }
 
 /** Direction of the head in a photo. */

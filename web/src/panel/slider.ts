@@ -11,8 +11,10 @@ const NUMBER = /^[+-]?(\d+[.,]?\d*|[.,]\d+)$/;
 type Slider = Extract<Control, { kind: "slider" }>;
 
 /** A range input and a number field for the same value. */
-export function makeSlider(id: string, { range: { min, max, step, neutral }, unit, axis }: Slider, send: Send): View {
-  const [element, label, range, field] = [make("div", "slider"), make("span", "slider-label"), make("input"), make("input", "number-field")];
+export function makeSlider(id: string, { range: limits, unit, axis }: Slider, send: Send): View<Slider> {
+  const { min, max, step, neutral } = limits;
+  const [label, range, field] = [make("span", "slider-label"), make("input"), make("input", "number-field")];
+  const element = make("div", "slider", label, range, field, make("span", "slider-unit", unit));
   const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
   /** Value last shown; the inputs show it rounded. */
   let value = 0;
@@ -50,8 +52,8 @@ export function makeSlider(id: string, { range: { min, max, step, neutral }, uni
     delete field.dataset["typing"];
     mark(false);
     // Without grouping, so that the text can be edited.
-    const format = new Intl.NumberFormat(document.documentElement.lang, { maximumFractionDigits: decimals, useGrouping: false });
-    field.value = format.format(rounded(value));
+    const format = { maximumFractionDigits: decimals, useGrouping: false };
+    field.value = new Intl.NumberFormat(document.documentElement.lang, format).format(rounded(value));
   };
 
   element.id = domId(id);
@@ -59,7 +61,6 @@ export function makeSlider(id: string, { range: { min, max, step, neutral }, uni
   Object.assign(range, { type: "range", min, max, step });
   Object.assign(field, { inputMode: "decimal", autocomplete: "off" });
   field.dataset["number"] = "";
-  element.append(label, range, field, make("span", "slider-unit", unit));
   label.addEventListener("dblclick", () => {
     set(neutral);
     end("commit");
@@ -105,11 +106,11 @@ export function makeSlider(id: string, { range: { min, max, step, neutral }, uni
   });
   return {
     element,
-    show: (widget) => {
-      const next = (widget.control as Slider).value;
+    show: (widget, { value: next }) => {
       const name = labelOf(widget);
       label.replaceChildren(...(axis ? [make("span", "axis", axis)] : []), name);
-      for (const input of [range, field]) [input.ariaLabel, input.disabled] = [longLabel(widget, name), !widget.isEnabled];
+      range.ariaLabel = field.ariaLabel = longLabel(widget, name);
+      range.disabled = field.disabled = !widget.isEnabled;
       // Another change, such as a new face, ends the typing.
       const stays = isTyping() && rounded(typed() ?? value) === rounded(next);
       value = next;

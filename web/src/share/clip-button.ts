@@ -38,9 +38,10 @@ export function setUpClip(host: Host, opening: { face: Face | undefined }) {
     announce(t("clip.recording"));
     try {
       const { recordClip } = await import("./clip.ts");
-      const options = { signal, isSameFace: () => opening.face === face, onProgress: (fraction: number) => (bar.value = fraction) };
-      const clip = await recordClip(host, options);
-      save(new File([clip], fileName(face, clip.type === "video/mp4" ? "mp4" : "webm", "turning"), { type: clip.type }));
+      const isSameFace = () => opening.face === face;
+      const clip = await recordClip(host, { signal, isSameFace, onProgress: (fraction) => (bar.value = fraction) });
+      const name = fileName(face, clip.type === "video/mp4" ? "mp4" : "webm", "turning");
+      save(new File([clip], name, { type: clip.type }));
     } catch (error) {
       if (error === CANCELLED) return toast(t("clip.cancelled"));
       console.warn("the clip was not recorded:", error);

@@ -7,12 +7,12 @@ const SWING_MS = 3400;
 const AMPLITUDE = (35 * Math.PI) / 180;
 /** Fewer frames make the swing jerky, so a slow machine draws this many before the recording starts. */
 const MIN_FRAMES = 8;
+const SLOW_FRAME_MS = SWING_MS / MIN_FRAMES;
 /** Fraction of the progress bar for drawing them. */
 const PRERENDER_FRACTION = 0.8;
 /** The clip ends on a still face, with few frames at long intervals, as each frame delays a slow encoder. */
 const STILL_FRAMES = 5;
 const STILL_FRAME_MS = 150;
-const LENGTH_MS = SWING_MS + STILL_FRAMES * STILL_FRAME_MS;
 /** Time for the encoder to catch up: frames not encoded when the recording stops are lost. */
 const ENCODER_LAG_MS = 1500;
 
@@ -36,6 +36,7 @@ interface Options {
  * the view at the end, also after an error.
  */
 export async function recordClip(host: Host, { signal, isSameFace, onProgress }: Options) {
+  const { recorder, show } = openRecorder();
   const { instance } = host;
   const isAutoRotating = host.read(({ turntable }) => turntable);
   if (isAutoRotating) host.apply({ turntable: false });
@@ -63,14 +64,49 @@ export async function recordClip(host: Host, { signal, isSameFace, onProgress }:
     await new Promise((resolve) => setTimeout(resolve, duration_ms));
     check();
   };
-  const { recorder, show } = openRecorder();
+  /** Shows the swing in real time. */
+  const play = async () => {
+    // Warm-up: the first draw may create GPU resources.
+    await draw(0);
+    const before_ms = performance.now();
+    const still = await draw(0);
+    let frame_ms = performance.now() - before_ms;
+    let frameAt = draw;
+    let done = 0;
+    if (frame_ms > SLOW_FRAME_MS) {
+      const frames = [still];
+      while (frames.length < MIN_FRAMES) {
+        frames.push(await draw(frames.length / MIN_FRAMES));
+        done = (PRERENDER_FRACTION * frames.length) / MIN_FRAMES;
+        onProgress(done);
+      }
+      frame_ms = SLOW_FRAME_MS;
+      frameAt = (phase) => wait(SLOW_FRAME_MS).then(() => frames[Math.round(phase * MIN_FRAMES)] ?? still);
+    }
+    const start_ms = performance.now();
+    const elapsed_ms = () => performance.now() - start_ms;
+    show(still);
+    // Draws each frame for the time at which it will be ready, by the shortest drawing time so far.
+    while (elapsed_ms() + frame_ms < SWING_MS) {
+      const begin_ms = elapsed_ms();
+      show(await frameAt((begin_ms + frame_ms) / SWING_MS));
+      frame_ms = Math.min(frame_ms, elapsed_ms() - begin_ms);
+      onProgress(done + (1 - done) * (elapsed_ms() / SWING_MS));
+    }
+    await wait(SWING_MS - elapsed_ms());
+    for (let frame = 0; frame < STILL_FRAMES; frame += 1) {
+      show(still);
+      await wait(STILL_FRAME_MS);
+    }
+    await wait(ENCODER_LAG_MS);
+  };
   const clip = new Promise<Blob>((resolve, reject) => {
     recorder.addEventListener("dataavailable", ({ data }) => resolve(data));
     recorder.addEventListener("error", reject);
     signal.addEventListener("abort", () => reject(signal.reason));
   });
   try {
-    await Promise.race([clip, play({ draw, show, wait, onProgress })]);
+    await Promise.race([clip, play()]);
     recorder.stop();
     const data = await clip;
     return new Blob([data], { type: data.type.replace(/;.*/, "") });
@@ -81,7 +117,7 @@ export async function recordClip(host: Host, { signal, isSameFace, onProgress }:
   }
 }
 
-/** Records pictures in real time. The first one starts the recording. */
+/** Records pictures in real time, from the first one on. */
 function openRecorder() {
   const canvas = document.createElement("canvas");
   [canvas.width, canvas.height] = [SIDE_PX, SIDE_PX];
@@ -93,52 +129,4 @@ function openRecorder() {
     if (recorder.state === "inactive") recorder.start();
   };
   return { recorder, show };
-}
-
-interface Stage {
-  /** `phase` of the swing, 0 to 1 */
-  draw: (phase: number) => Promise<ImageData>;
-  show: (picture: ImageData) => void;
-  wait: (duration_ms: number) => Promise<void>;
-  onProgress: (fraction: number) => void;
-}
-
-/** Shows the swing in real time. */
-async function play({ draw, show, wait, onProgress }: Stage) {
-  // Warm-up: the first draw may create GPU resources.
-  await draw(0);
-  const before_ms = performance.now();
-  const still = await draw(0);
-  let frame_ms = performance.now() - before_ms;
-  let frameAt = draw;
-  const isSlow = frame_ms > SWING_MS / MIN_FRAMES;
-  if (isSlow) {
-    const frames = [still];
-    for (let index = 1; index < MIN_FRAMES; index += 1) {
-      frames.push(await draw(index / MIN_FRAMES));
-      onProgress((PRERENDER_FRACTION * index) / MIN_FRAMES);
-    }
-    frame_ms = SWING_MS / MIN_FRAMES;
-    frameAt = async (phase) => {
-      await wait(frame_ms);
-      return frames[Math.round(phase * MIN_FRAMES)] ?? still;
-    };
-  }
-  const start_ms = performance.now();
-  const elapsed_ms = () => performance.now() - start_ms;
-  const done = isSlow ? PRERENDER_FRACTION : 0;
-  show(still);
-  // Draws each frame for the time at which it will be ready, by the shortest drawing time so far.
-  while (elapsed_ms() + frame_ms < SWING_MS) {
-    const begin_ms = elapsed_ms();
-    show(await frameAt((begin_ms + frame_ms) / SWING_MS));
-    frame_ms = Math.min(frame_ms, elapsed_ms() - begin_ms);
-    onProgress(done + (1 - done) * (elapsed_ms() / LENGTH_MS));
-  }
-  await wait(SWING_MS - elapsed_ms());
-  for (let frame = 0; frame < STILL_FRAMES; frame += 1) {
-    show(still);
-    await wait(STILL_FRAME_MS);
-  }
-  await wait(ENCODER_LAG_MS);
 }

@@ -30,7 +30,8 @@ export async function drawView(host: Host) {
  */
 export async function drawPair(host: Host, captions: string[]) {
   const scale = Math.min(SCALE, MAX_PX / host.canvas.height);
-  const [width, height] = [Math.min(host.canvas.width, host.canvas.height), host.canvas.height].map((px) => Math.round(scale * px)) as [number, number];
+  const height = Math.round(scale * host.canvas.height);
+  const width = Math.min(height, Math.round(scale * host.canvas.width));
   // Both are requested in one task, which restores the view at its end, so the screen does not change.
   const pictures = await Promise.all([1, 0].map((before) => drawAt(host, before, width, height)));
   const left_px = width + Math.max(2, Math.round(GAP * height));
