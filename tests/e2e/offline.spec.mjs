@@ -39,6 +39,8 @@ for (const [[what, interceptor], tag] of [[["is unreachable"], []], ...variants(
     await visitor.unfold("section-export");
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-tone='success']");
+    // Its script loads later than the page's.
+    assert.equal((await visitor.save("download-picture")).name, "sample.png");
   });
 }
 

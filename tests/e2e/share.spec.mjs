@@ -8,7 +8,7 @@ import { crashGpu, hookModule, recordGpus } from "./page-scripts.mjs";
 /** Time limit for a recording on a slow machine. */
 const CLIP_MS = 120_000;
 
-/** Gap as in side-by-side.js, as a fraction of the picture's height. */
+/** Gap as in pictures.ts, as a fraction of the picture's height. */
 const GAP = 0.008;
 
 test("before and after are saved as halves of one picture, and the view does not change", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
@@ -67,6 +67,40 @@ test("before/after pictures are shared if possible, and downloaded if sharing fa
   await page.waitForFunction(() => window["sent"].length === 3);
   assert.ok(await page.isHidden("#notice"));
 });
+
+test("a GLB that cannot be shared is saved; cancelling is silent", async ({ open }) => {
+  const visitor = await open({ scripts: [installSharing] });
+  const { page } = visitor;
+  await visitor.openFace();
+  await visitor.unfold("section-export");
+  for (const answer of ["NotAllowedError", "DataError", "InvalidStateError", "missing"]) {
+    await page.evaluate((answer) => (window["answer"] = answer), answer);
+    assert.ok((await visitor.download("share-glb")).length > 0, answer);
+  }
+  let downloads = 0;
+  page.on("download", () => (downloads += 1));
+  await page.evaluate("answer = 'AbortError'");
+  const attempts = await page.evaluate("sent.length");
+  await page.click("#share-glb");
+  await page.waitForFunction((attempts) => window["sent"].length > attempts, attempts);
+  await visitor.frames(5);
+  assert.equal(downloads, 0);
+  assert.ok(await page.isHidden("#notice"));
+});
+
+for (const [what, script] of Object.entries({
+  "has no share()": "delete Navigator.prototype.share; navigator.canShare = () => true",
+  "has no canShare()": "delete Navigator.prototype.canShare; navigator.share = async () => {}",
+  "throws in canShare()": "navigator.share = async () => {}; navigator.canShare = () => { throw new TypeError('refused') }",
+})) {
+  test(`the share buttons are absent in a browser that ${what}`, async ({ open }) => {
+    const visitor = await open({ scripts: [script] });
+    await visitor.openFace();
+    await visitor.unfold("section-export");
+    for (const id of ["share-glb", "share-pair"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
+    assert.ok(await visitor.page.isVisible("#download-pair"));
+  });
+}
 
 test("the face swings once in a four-second video without tools, and the view is restored", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.openFace("ana");
@@ -249,6 +283,7 @@ function installSharing() {
   navigator.canShare = () => true;
   navigator.share = async ({ files: [{ name, type, size }] }) => {
     window["sent"].push({ name, type, bytes: size });
+    if (window["answer"] === "missing") throw new TypeError("navigator.share is not a function");
     if (window["answer"]) throw new DOMException("refused", window["answer"]);
   };
 }

@@ -11,10 +11,10 @@ import { setUpLanguage, setUpTheme, theme } from "./page/settings.ts";
 import { setUpTabs } from "./page/tabs.ts";
 import { afterNextFrame } from "./page/tasks.ts";
 import { startValidator } from "./page/validator.ts";
-import { setUpExport } from "./panel/export.ts";
+import { loadPictures, setUpExport } from "./panel/export.ts";
 import { setUpPanels } from "./panel/page-panels.ts";
 import { PaperPanel } from "./panel/paper-panel.ts";
-import { PhotosPanel } from "./panel/photos-panel.ts";
+import { setUpPhotos } from "./panel/photos-panel.ts";
 import { textOf } from "./panel/phrase.ts";
 import { setUpCamera } from "./photo/camera.ts";
 import { FaceChoice } from "./photo/face-choice.ts";
@@ -80,7 +80,7 @@ async function openHost() {
     new LandmarkMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, onGesture: completeHint, announce });
     setUpViewKeys(opened, completeHint);
     for (const setUp of [setUpBeforeAfter, setUpPulse, setUpViewportInsets, setUpScene, setUpSplitView, setUpBrushMarks]) setUp(opened);
-    new PhotosPanel(opened, opening, vision);
+    setUpPhotos(opened, opening, vision);
     const files = new FaceFiles(opened, vision, opening);
     new WholeTexture(opened, files, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
     setUpExport({ host: opened, opening, files, pictureSize: () => overlay.pictureSize });
@@ -114,5 +114,5 @@ async function loadInBackground() {
   vision.start();
   await vision.ready;
   await host;
-  await Promise.allSettled([showSample(), startValidator(), storeOffline()]);
+  await Promise.allSettled([showSample(), startValidator(), loadPictures(), storeOffline()]);
 }

@@ -5,11 +5,11 @@ export function byId<T extends Element>(id: string, type: new () => T): T {
   return element;
 }
 
-/** Creates an element with a class and text. */
-export function make<K extends keyof HTMLElementTagNameMap>(tag: K, className = "", text?: string) {
+/** Creates an element with a class and its content. */
+export function make<K extends keyof HTMLElementTagNameMap>(tag: K, className = "", ...content: (Node | string)[]) {
   const element = document.createElement(tag);
   if (className) element.className = className;
-  if (text !== undefined) element.textContent = text;
+  element.append(...content);
   return element;
 }
 

@@ -1,24 +1,19 @@
-import { onAction } from "../page/dom.ts";
-import { download } from "../page/download.ts";
-import { showError } from "../page/notice.ts";
+import { byId, make, onAction } from "../page/dom.ts";
+import { asPageError } from "../page/page-error.ts";
 import { toast } from "../page/toast.ts";
 import { validate } from "../page/validator.ts";
-import type { Opening } from "../opening.ts";
-import { setUpArLink } from "../share/ar-link.ts";
-import { beforeAndAfter } from "../share/before-and-after.ts";
-import { ClipPanel } from "../share/clip-panel.ts";
-import { canSend, send } from "../share/send.ts";
-import { sideBySide } from "../share/side-by-side.ts";
-import { canCopyPictures, copyPicture, viewPicture } from "../share/view-picture.ts";
-import type { Host } from "../viewport/host.ts";
-import { t } from "../words/words.ts";
+import { setUpClip } from "../share/clip-button.ts";
+import { canCopyPictures, canShare, copyPicture, save, share } from "../share/share.ts";
+import { isWord, t } from "../words/words.ts";
 import { leadPhotoOf } from "../work/face.ts";
-import type { FaceFiles } from "../work/face-files.ts";
 import { fileName } from "../work/file-name.ts";
+import type { Opening } from "../opening.ts";
+import type { Host } from "../viewport/host.ts";
+import type { FaceFiles } from "../work/face-files.ts";
 import type { Report } from "../../wasm/rosto-studio-web.js";
-import { setUpPrint } from "./print.ts";
 
-const PNG = "image/png";
+/** Debounce delay: computing a body takes time. */
+const DEBOUNCE_MS = 250;
 
 interface Context {
   host: Host;
@@ -28,37 +23,29 @@ interface Context {
   pictureSize: () => { width: number; height: number };
 }
 
+/** Loads the parts that make pictures and clips, before their first use would count as a request. */
+export function loadPictures() {
+  return Promise.all([import("../share/pictures.ts"), import("../share/clip.ts")]);
+}
+
 /** Performs the actions of the export panel: files, pictures and sharing. */
 export function setUpExport(context: Context) {
-  const { host, opening, files } = context;
-  const fail = (error: unknown) => host.fail(error);
+  offerMeshes(context);
+  offerPhoto(context);
+  offerPictures(context);
+  setUpClip(context.host, context.opening);
+}
+
+/** Meshes, for other programs, for printing and for AR, and the project. */
+function offerMeshes({ host, opening, files }: Context) {
+  const report = (about: Report) => host.applyShown({ report: about });
   const makeMesh = async (format: string) => {
     // The face and its density may change meanwhile.
     const [options, name] = host.answer((studio) => [studio.fileOptions(), studio.fileName("")]);
     const { bytes, extension, mediaType } = await files.mesh(format, options);
     return new File([bytes], name + extension, { type: mediaType });
   };
-  const print = setUpPrint(host, files);
-  offerGlb(context, makeMesh);
-  const { formats, printedFormats } = host.catalogue;
-  for (const id of formats) {
-    const refuse = printedFormats.includes(id) ? print.refuse : fail;
-    if (id !== "glb") onAction(`download-${id}`, () => makeMesh(id).then(save).catch(refuse));
-  }
-  onAction("save-project", async () => {
-    const name = fileName(opening.face, "rosto");
-    await files.project().then((bytes) => save(new File([bytes], name, { type: "application/octet-stream" })), fail);
-  });
-  setUpArLink(() => makeMesh("usdz"), fail);
-  offerPhoto(context);
-  offerPictures(context);
-  new ClipPanel(host, opening);
-}
-
-/** Validating, downloading and sharing the GLB. */
-function offerGlb({ host }: Context, makeMesh: (format: string) => Promise<File>) {
-  const report = (about: Report) => host.applyShown({ report: about });
-  const make = async (isValidated: boolean) => {
+  const makeGlb = async (isValidated: boolean) => {
     report({ "glb-started": { isValidated } });
     try {
       const file = await makeMesh("glb");
@@ -68,70 +55,131 @@ function offerGlb({ host }: Context, makeMesh: (format: string) => Promise<File>
       return file;
     } catch (error) {
       report("glb-failed");
-      host.fail(error);
-      return undefined;
+      throw error;
     }
   };
-  onAction("check-glb", () => make(true));
-  onAction("download-glb", () => make(true).then((file) => file && save(file)));
-  onAction("share-glb", () => make(false).then((file) => file && share(file)).catch((error) => host.fail(error)));
+  perform(host, "check-glb", () => makeGlb(true));
+  perform(host, "download-glb", async () => save(await makeGlb(true)));
+  perform(host, "share-glb", async () => share(await makeGlb(false)));
+  const print = setUpPrint(host, files);
+  const { formats, printedFormats } = host.catalogue;
+  for (const id of formats.filter((id) => id !== "glb")) {
+    const download = async () => save(await makeMesh(id));
+    perform(host, `download-${id}`, printedFormats.includes(id) ? () => print(download) : download);
+  }
+  perform(host, "save-project", async () => {
+    const name = fileName(opening.face, "rosto");
+    save(new File([await files.project()], name, { type: "application/octet-stream" }));
+  });
+  const link = byId("ar-link", HTMLAnchorElement);
+  link.hidden = !link.relList.supports?.("ar");
+  link.addEventListener("click", (event) => {
+    event.preventDefault();
+    makeMesh("usdz").then(viewInAr).catch((error) => host.fail(error));
+  });
+}
+
+/** Performs the action of a button. */
+function perform(host: Host, name: string, act: () => Promise<unknown>) {
+  onAction(name, () => act().catch((error) => host.fail(error)));
+}
+
+/** Opens a USDZ in AR Quick Look, which detects the format by the file name and expects a picture in the link. */
+function viewInAr(file: File) {
+  const link = make("a", "", make("img"));
+  Object.assign(link, { rel: "ar", href: URL.createObjectURL(file), download: file.name });
+  link.click();
+  // The browser reads the file after this task.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+/**
+ * Measures the printed body while its panel is visible; the worker computes it. Returns a function that makes a file of
+ * the body, and shows in the panel why it could not.
+ */
+function setUpPrint(host: Host, files: FaceFiles) {
+  const fold = byId("print", HTMLDetailsElement);
+  let timer = 0;
+  /** Numbers of the last change, and of the one whose body was last asked for. */
+  let [changed, measured] = [1, 0];
+  const show = (report: Report) => host.applyShown({ report });
+  const refusal = (error: unknown): Report => {
+    const { code, maxMm } = asPageError(error);
+    return { "body-failed": { code: isWord(`error.${code}`) ? code : "other", maxMm } };
+  };
+  const facts = async () => files.solidFacts(host.answer((studio) => studio.fileOptions()));
+  const measure = async () => {
+    const number = changed;
+    measured = number;
+    const report = await facts().then((body) => ({ "body-measured": body }), refusal);
+    if (number === changed) show(report);
+  };
+  const measureSoon = () => {
+    clearTimeout(timer);
+    if (measured !== changed && fold.open && fold.checkVisibility()) timer = setTimeout(measure, DEBOUNCE_MS);
+  };
+  host.onChange(() => {
+    changed += 1;
+    measureSoon();
+  });
+  // Measures only while visible, so starts when the fold or its tab opens.
+  new ResizeObserver(measureSoon).observe(fold);
+  return async (make: () => Promise<void>) => {
+    const number = changed;
+    await make().catch((error) => {
+      // A pending result would hide the reason, unless the body has changed since.
+      if (number === changed) {
+        clearTimeout(timer);
+        changed += 1;
+        measured = changed;
+      }
+      show(refusal(error));
+    });
+  };
 }
 
 /** The edited photo, at full size if its own file was opened. */
 function offerPhoto({ host, opening, files, pictureSize }: Context) {
   const report = (about: Report) => host.applyShown({ report: about });
   let isWriting = false;
-  const write = async (type: "png" | "jpeg", extension: string) => {
+  const write = async (type: "image/png" | "image/jpeg", extension: string) => {
     const { face } = opening;
     if (!face || isWriting) return;
     isWriting = true;
     report({ "writing-photo": true });
     try {
       const name = fileName(face, extension, "edited");
-      download(await files.editedPhoto(`image/${type}`), name, `image/${type}`);
-      toast(t("export.saved", { name }));
-    } catch (error) {
-      showError(error);
+      save(new File([await files.editedPhoto(type)], name, { type }));
     } finally {
       isWriting = false;
       report({ "writing-photo": false });
     }
   };
-  onAction("download-photo-png", () => write("png", "png"));
-  onAction("download-photo-jpeg", () => write("jpeg", "jpg"));
+  perform(host, "download-photo-png", () => write("image/png", "png"));
+  perform(host, "download-photo-jpeg", () => write("image/jpeg", "jpg"));
   host.onChange(() => {
     const { face } = opening;
     if (!face) return;
     const { width, height } = pictureSize();
-    report({ face: { stem: face.name, savedPx: leadPhotoOf(face).source.kind === "saved" ? [width, height] : undefined } });
+    const isSaved = leadPhotoOf(face).source.kind === "saved";
+    report({ face: { stem: face.name, savedPx: isSaved ? [width, height] : undefined } });
   });
 }
 
-/** Pictures of the view. */
+/** Pictures of the view, alone or before and after the edits. */
 function offerPictures({ host, opening }: Context) {
-  const fail = (error: unknown) => host.fail(error);
-  const isTransparent = () => host.ask((studio) => studio.isTransparent) ?? false;
-  host.applyShown({ report: { abilities: { sharesModels: canSend("model/gltf-binary", "face.glb"), sharesPictures: canSend(PNG), copiesPictures: canCopyPictures() } } });
-  const view = async () => {
-    const name = fileName(opening.face, "png");
-    return new File([await viewPicture(host, isTransparent())], name, { type: PNG });
+  const sharesModels = canShare("model/gltf-binary", "face.glb");
+  const sharesPictures = canShare("image/png", "face.png");
+  host.applyShown({ report: { abilities: { sharesModels, sharesPictures, copiesPictures: canCopyPictures() } } });
+  const make = async (what: "view" | "pair") => {
+    // The face may change meanwhile.
+    const name = fileName(opening.face, "png", what === "pair" ? "before-after" : undefined);
+    const { drawPair, drawView } = await import("../share/pictures.ts");
+    const picture = await (what === "pair" ? drawPair(host, [t("before"), t("after")]) : drawView(host));
+    return new File([picture], name, { type: picture.type });
   };
-  const pair = async () => {
-    const name = fileName(opening.face, "png", "before-after");
-    const { before, after } = await beforeAndAfter(host, isTransparent());
-    return new File([await sideBySide(before, after, { before: t("before"), after: t("after") })], name, { type: PNG });
-  };
-  onAction("download-picture", () => view().then(save, fail));
-  onAction("copy-picture", () => copyPicture(view()).then(() => toast(t("export.copied")), fail));
-  onAction("download-pair", () => pair().then(save, fail));
-  onAction("share-pair", () => pair().then(share).catch(fail));
-}
-
-async function share(file: File) {
-  if (!(await send(file))) save(file);
-}
-
-function save(file: File) {
-  download(file, file.name, file.type);
-  toast(t("export.done", { file: file.name }));
+  perform(host, "download-picture", async () => save(await make("view")));
+  perform(host, "copy-picture", () => copyPicture(make("view")).then(() => toast(t("export.copied"))));
+  perform(host, "download-pair", async () => save(await make("pair")));
+  perform(host, "share-pair", async () => share(await make("pair")));
 }

@@ -6,18 +6,13 @@ import { notifyLocaleChange, onLocaleChange } from "../words/words.ts";
 import { setUpLandmarkSearch } from "./landmark-search.ts";
 import { setUpLightSphere } from "./light-sphere.ts";
 import { Panels } from "./panels.ts";
-import { domId } from "./widget.ts";
 
 /** Shows the panels that the studio describes. */
 export function setUpPanels(host: Host) {
   setUpLandmarkSearch(host);
   setUpLightSphere(host);
   const panels = new Panels(place, (intent) => host.applyShown(intent));
-  host.onPanel((widgets) => {
-    panels.update(widgets);
-    const brush = document.getElementById(domId("brush"));
-    document.body.toggleAttribute("data-brush", brush instanceof HTMLInputElement && brush.checked);
-  });
+  host.onPanel((widgets) => panels.update(widgets));
   onLocaleChange(() => panels.translate());
   onAction("reset-view", () => host.apply({ "go-to": "reset" }));
   setUpExpert(host);

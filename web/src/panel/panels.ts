@@ -1,8 +1,8 @@
 import { isWord, t } from "../words/words.ts";
-import type { Control, Phrase, Widget } from "../../wasm/rosto-studio-web.js";
+import type { Control, Widget } from "../../wasm/rosto-studio-web.js";
 import { enableAction, make, makeIcon, onAction } from "../page/dom.ts";
 import { textOf } from "./phrase.ts";
-import { SliderView } from "./slider.ts";
+import { makeSlider } from "./slider.ts";
 import { domId, labelOf, type Send, type View } from "./widget.ts";
 
 type Of<K extends Control["kind"]> = Extract<Control, { kind: K }>;
@@ -48,7 +48,7 @@ export class Panels {
     const { element } = view;
     element.hidden = widget.isHidden;
     element.toggleAttribute("data-expert", widget.level === "expert");
-    view.show(widget, withChildren);
+    view.show(widget, widget.control, withChildren);
   }
 
   #make(widget: Widget): View {
@@ -57,7 +57,7 @@ export class Panels {
       case "group":
         return this.#makeGroup(id, control);
       case "slider":
-        return new SliderView(id, control, this.#send);
+        return makeSlider(id, control, this.#send);
       case "check":
         return makeCheck(id, this.#send);
       case "choice":
@@ -75,17 +75,18 @@ export class Panels {
     }
   }
 
-  #makeGroup(id: string, { look, tab, isOpen }: Of<"group">): View {
-    const { element, body, title } = GROUPS[look](id);
+  #makeGroup(id: string, { look, tab, isOpen }: Of<"group">): View<Of<"group">> {
+    const { element, body, title } = GROUPS[look]();
     element.id = domId(id);
     if (tab) Object.assign(element.dataset, { tab, needsFace: "" });
     if (element instanceof HTMLDetailsElement) element.open = isOpen;
     return {
       element,
-      show: (widget, withChildren) => {
-        title(labelOf(widget));
+      show: (widget, { widgets }, withChildren) => {
+        if (title) title.textContent = labelOf(widget);
+        else element.ariaLabel = labelOf(widget);
         if (element instanceof HTMLFieldSetElement) element.disabled = !widget.isEnabled;
-        if (withChildren) this.#fill(body, (widget.control as Of<"group">).widgets);
+        if (withChildren) this.#fill(body, widgets);
       },
     };
   }
@@ -102,15 +103,15 @@ export class Panels {
   }
 }
 
-type Group = { element: HTMLElement; body: HTMLElement; title: (text: string) => void };
+/** A group without a title is labelled for screen readers only. */
+type Group = { element: HTMLElement; body: HTMLElement; title?: HTMLElement };
 
-const GROUPS: Record<Of<"group">["look"], (id: string) => Group> = {
+const GROUPS: Record<Of<"group">["look"], () => Group> = {
   section: () => makeFold("section", "h2", "section-body"),
   fold: () => makeFold("more", "h3", "more-body"),
   plain: () => {
-    const [element, heading, body] = [make("section", "section"), make("h2", "visually-hidden"), make("div", "section-body")];
-    element.append(heading, body);
-    return { element, body, title: (text) => (heading.textContent = text) };
+    const [title, body] = [make("h2", "visually-hidden"), make("div", "section-body")];
+    return { element: make("section", "section", title, body), body, title };
   },
   stack: () => makeFieldset("stack", "visually-hidden"),
   titled: () => makeFieldset("stack", "field-label"),
@@ -118,129 +119,118 @@ const GROUPS: Record<Of<"group">["look"], (id: string) => Group> = {
   row: () => {
     const element = make("div", "row");
     element.role = "group";
-    return { element, body: element, title: (text) => (element.ariaLabel = text) };
+    return { element, body: element };
   },
 };
 
 function makeFold(className: string, heading: "h2" | "h3", bodyClass: string): Group {
-  const [element, summary, title, body] = [make("details", className), make("summary"), make(heading), make("div", bodyClass)];
-  summary.append(title, makeIcon("fold"));
-  element.append(summary, body);
-  return { element, body, title: (text) => (title.textContent = text) };
+  const [title, body] = [make(heading), make("div", bodyClass)];
+  return { element: make("details", className, make("summary", "", title, makeIcon("fold")), body), body, title };
 }
 
 function makeFieldset(className: string, legendClass: string): Group {
-  const [element, legend] = [make("fieldset", className), make("legend", legendClass)];
-  element.append(legend);
-  return { element, body: element, title: (text) => (legend.textContent = text) };
+  const title = make("legend", legendClass);
+  const element = make("fieldset", className, title);
+  return { element, body: element, title };
 }
 
-function makeCheck(id: string, send: Send): View {
-  const [element, input, name, notes] = [make("label", "check"), make("input"), make("span", "check-label"), make("span", "check-notes")];
-  input.type = "checkbox";
-  input.id = domId(id);
+function makeCheck(id: string, send: Send): View<Of<"check">> {
+  const [input, name, notes] = [make("input"), make("span", "check-label"), make("span", "check-notes")];
+  [input.type, input.id] = ["checkbox", domId(id)];
   input.addEventListener("change", () => send({ set: [id, input.checked] }));
-  element.append(input, name, notes);
   return {
-    element,
-    show: (widget) => {
-      const control = widget.control as Of<"check">;
+    element: make("label", "check", input, name, notes),
+    show: (widget, control) => {
       [input.checked, input.disabled, name.textContent] = [control.on, !widget.isEnabled, labelOf(widget)];
       notes.replaceChildren(...control.notes.map((note) => make("span", "caption", textOf(note))));
     },
   };
 }
 
-function makeList(id: string, send: Send): View {
-  const [element, label, select, help] = [make("div"), make("label", "field-label"), make("select", "select"), make("p", "caption")];
+function makeList(id: string, send: Send): View<Of<"choice">> {
+  const [label, select, help] = [make("label", "field-label"), make("select", "select"), make("p", "caption")];
   [select.id, label.htmlFor, help.id] = [domId(id), domId(id), `${domId(id)}-help`];
   select.setAttribute("aria-describedby", help.id);
   select.addEventListener("change", () => send({ set: [id, select.value] }));
-  element.append(label, select, help);
   return {
-    element,
-    show: (widget) => {
-      const control = widget.control as Of<"choice">;
+    element: make("div", "", label, select, help),
+    show: (widget, { name, options, chosen }) => {
       label.textContent = labelOf(widget);
-      const none = new Option(wordOr(`${control.name}.none`, ""), "");
+      const none = new Option(wordOr(`${name}.none`), "");
       none.hidden = true;
-      const options = control.options.map((option) => new Option(optionName(control, option), option));
-      select.replaceChildren(...(control.chosen === undefined ? [none] : []), ...options);
-      [select.value, select.disabled] = [control.chosen ?? "", !widget.isEnabled];
-      explain(help, control);
+      const named = options.map((option) => new Option(optionName(name, option), option));
+      select.replaceChildren(...(chosen === undefined ? [none] : []), ...named);
+      [select.value, select.disabled] = [chosen ?? "", !widget.isEnabled];
+      write(help, wordOr(`${name}.${chosen}.help`));
     },
   };
 }
 
-function makeSegments(id: string, { look, name, options, expert }: Of<"choice">, send: Send): View {
-  const [element, legend, segments, help] = [make("fieldset", "choice"), make("legend", "field-label"), make("div", `choice-options ${look}`), make("p", "caption")];
-  const scale = make("div", "legend");
-  const scaleText = make("p", "caption");
-  scale.append(make("span", "legend-bar"), scaleText);
+function makeSegments(id: string, { look, name, options, expert }: Of<"choice">, send: Send): View<Of<"choice">> {
+  const [legend, segments] = [make("legend", "field-label"), make("div", `choice-options ${look}`)];
+  const [help, scaleText] = [make("p", "caption"), make("p", "caption")];
+  const scale = make("div", "legend", make("span", "legend-bar"), scaleText);
+  const element = make("fieldset", "choice", legend, segments, help, scale);
   [element.id, help.id] = [domId(id), `${domId(id)}-help`];
   // Shown while the settings match none of a choice's presets.
   const custom = isWord(`${name}.custom`) ? ["custom"] : [];
   const inputs = [...options, ...custom].map((option) => {
-    const [label, input, text] = [make("label"), make("input"), make("span")];
+    const [input, text] = [make("input"), make("span")];
     Object.assign(input, { type: "radio", name: domId(id), value: option, disabled: custom.includes(option) });
     input.addEventListener("change", () => send({ set: [id, option] }));
+    const label = make("label", "", input, text);
     label.toggleAttribute("data-expert", expert.includes(option));
-    label.append(input, text);
     segments.append(label);
     return { label, input, text, option };
   });
-  element.append(legend, segments, help, scale);
   return {
     element,
-    show: (widget) => {
-      const control = widget.control as Of<"choice">;
-      const chosen = control.chosen ?? "custom";
+    show: (widget, { chosen = "custom" }) => {
       [legend.textContent, element.disabled] = [labelOf(widget), !widget.isEnabled];
       for (const { label, input, text, option } of inputs) {
-        [input.checked, text.textContent] = [option === chosen, optionName(control, option)];
+        [input.checked, text.textContent] = [option === chosen, optionName(name, option)];
         if (custom.includes(option)) label.hidden = option !== chosen;
       }
-      explain(help, { ...control, chosen });
-      scaleText.textContent = wordOr(`${name}.${chosen}.legend`, "");
-      [scale.hidden, scale.dataset["legend"]] = [scaleText.textContent === "", chosen];
+      write(help, wordOr(`${name}.${chosen}.help`));
+      write(scaleText, wordOr(`${name}.${chosen}.legend`));
+      [scale.hidden, scale.dataset["legend"]] = [scaleText.hidden, chosen];
     },
   };
 }
 
-function optionName({ name }: Of<"choice">, option: string) {
-  return textOf({ key: `${name}.${option}`, values: [] });
+function optionName(choice: string, option: string) {
+  return textOf({ key: `${choice}.${option}`, values: [] });
 }
 
-/** Writes the help of the chosen value, if there is one. */
-function explain(help: HTMLElement, { name, chosen }: Of<"choice">) {
-  help.textContent = wordOr(`${name}.${chosen}.help`, "");
-  help.hidden = help.textContent === "";
+function wordOr(key: string) {
+  return isWord(key) ? t(key) : "";
 }
 
-function wordOr(key: string, otherwise: string) {
-  return isWord(key) ? t(key) : otherwise;
+/** Shows a text, or hides its element. */
+function write(element: HTMLElement, text: string) {
+  // The same text again would be read again.
+  if (element.textContent !== text) element.textContent = text;
+  element.hidden = text === "";
 }
 
-function makeColour(id: string, send: Send): View {
-  const [element, input, name] = [make("label", "check"), make("input"), make("span")];
+function makeColour(id: string, send: Send): View<Of<"colour">> {
+  const [input, name] = [make("input"), make("span")];
   [input.type, input.id] = ["color", domId(id)];
   input.addEventListener("input", () => {
     const value = Number.parseInt(input.value.slice(1), 16);
     send({ set: [id, [(value >> 16) & 255, (value >> 8) & 255, value & 255]] });
   });
-  element.append(input, name);
   return {
-    element,
-    show: (widget) => {
-      const { rgb } = widget.control as Of<"colour">;
-      [input.value, input.disabled] = [`#${rgb.map((channel) => channel.toString(16).padStart(2, "0")).join("")}`, !widget.isEnabled];
-      name.textContent = labelOf(widget);
+    element: make("label", "check", input, name),
+    show: (widget, { rgb }) => {
+      input.value = `#${rgb.map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
+      [input.disabled, name.textContent] = [!widget.isEnabled, labelOf(widget)];
     },
   };
 }
 
 /** Other buttons of the page with the same action, such as the toolbar's, work and are enabled like it. */
-function makeButton(id: string, { isOfPage }: Of<"button">, send: Send): View {
+function makeButton(id: string, { isOfPage }: Of<"button">, send: Send): View<Of<"button">> {
   const element = make("button", "button small");
   [element.type, element.id, element.dataset["action"]] = ["button", domId(id), id];
   if (!isOfPage) onAction(id, () => send({ push: id }));
@@ -248,24 +238,22 @@ function makeButton(id: string, { isOfPage }: Of<"button">, send: Send): View {
     element,
     show: (widget) => {
       element.textContent = labelOf(widget);
-      const long = `${widget.label?.key ?? id}.long`;
-      if (isWord(long)) [element.ariaLabel, element.title] = [t(long), t(long)];
+      const long = wordOr(`${widget.label?.key ?? id}.long`);
+      if (long) [element.ariaLabel, element.title] = [long, long];
       element.disabled = !widget.isEnabled;
       enableAction(id, widget.isEnabled);
     },
   };
 }
 
-function makeText(id: string): View {
+function makeText(id: string): View<Of<"text">> {
   const element = make("p", "caption");
   element.id = domId(id);
   return {
     element,
-    show: (widget) => {
-      const { phrase, tone } = widget.control as Of<"text">;
-      const text = phrase ? textOf(phrase) : "";
-      if (element.textContent !== text) element.textContent = text;
-      element.hidden ||= text === "";
+    show: (widget, { phrase, tone }) => {
+      write(element, phrase ? textOf(phrase) : "");
+      element.hidden ||= widget.isHidden;
       element.classList.toggle("field-error", tone === "error");
       element.dataset["tone"] = tone;
       if (tone === "status") element.role = "status";
@@ -273,15 +261,15 @@ function makeText(id: string): View {
   };
 }
 
-function makeFacts(id: string): View {
+function makeFacts(id: string): View<Of<"facts">> {
   const element = make("dl", "measures");
   element.id = domId(id);
   return {
     element,
-    show: (widget) => {
+    show: (widget, { rows }) => {
       element.toggleAttribute("data-stale", !widget.isEnabled);
-      const cells = ([name, value]: [Phrase, Phrase]) => [make("dt", "", textOf(name)), make("dd", "", textOf(value))];
-      element.replaceChildren(...(widget.control as Of<"facts">).rows.flatMap(cells));
+      const cells = rows.flatMap(([name, value]) => [make("dt", "", textOf(name)), make("dd", "", textOf(value))]);
+      element.replaceChildren(...cells);
     },
   };
 }

@@ -6,10 +6,10 @@ import { textOf } from "./phrase.ts";
 export type Send = (intent: Intent) => void;
 
 /** A widget on the page. The element stays while the widget's value changes, and with it focus and open folds. */
-export interface View {
+export interface View<C = any> {
   element: HTMLElement;
   /** `withChildren`: also shows the widgets of a group, of which newer values may be shown. */
-  show(widget: Widget, withChildren: boolean): void;
+  show(widget: Widget, control: C, withChildren: boolean): void;
 }
 
 /** Id of a widget's element. */
