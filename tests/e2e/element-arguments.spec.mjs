@@ -22,7 +22,7 @@ test("the element refuses arguments of a wrong kind with a code, and goes on wit
   assert.ok(!(await visitor.page.evaluate("elementEvents")).some(({ detail }) => detail?.code === "restarted"));
 });
 
-test("a refusal names what was given and what is allowed", async ({ openElement }) => {
+test("a refusal names the given and the allowed values", async ({ openElement }) => {
   const visitor = await openElement({ body: `<rosto-studio src="portrait.png" density="0"></rosto-studio>` });
   await visitor.until("rosto-face");
   /** @type {[(face: any) => unknown, code: string, message: RegExp][]} */

@@ -16,7 +16,7 @@ test("the element needs no other Trusted Types policy than its own, also if the 
   assert.ok((await visitor.file()).length > 10_000);
 });
 
-/** What the host page restricts, and what the element says about it. */
+/** Restrictions of the host page, and the errors that the element reports. */
 const RESTRICTIONS = [
   {
     code: "no-policy",

@@ -6,7 +6,7 @@
  * A cache is kept while a tab uses its version; tabs show that by a Web Lock. See offline.ts.
  */
 
-/** Hashes by file name; `fallback`: only for browsers without WebGPU, whose page adds a parameter. Defined in the build. */
+/** Hashes by file name, from the build; `fallback`: only for browsers without WebGPU, whose page adds a parameter. */
 declare const BUILD: { version: string; files: Record<string, string>; fallback: Record<string, string> };
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
@@ -36,7 +36,8 @@ async function store() {
   const page = await fetch(PAGE, { cache: "no-cache" });
   if (!(await page.clone().text()).includes(`${BUILD.version}/`)) throw new Error("the page has another version");
   const files = { ...BUILD.files, ...(location.search && BUILD.fallback) };
-  await Promise.all(Object.entries(files).map(([file, integrity]) => storeFile(cache, `${BUILD.version}/${file}`, integrity)));
+  const stored = Object.entries(files).map(([file, hash]) => storeFile(cache, `${BUILD.version}/${file}`, hash));
+  await Promise.all(stored);
   // Last, as it marks the cache as complete.
   await cache.put(PAGE, page);
   await worker.skipWaiting();

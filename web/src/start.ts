@@ -18,7 +18,8 @@ let lacksPart = false;
 
 // Resource errors do not bubble, so listen in the capture phase.
 addEventListener("error", ({ target }) => {
-  const isPart = target instanceof HTMLScriptElement || (target instanceof HTMLLinkElement && target.rel === "stylesheet");
+  const isStyle = target instanceof HTMLLinkElement && target.rel === "stylesheet";
+  const isPart = isStyle || target instanceof HTMLScriptElement;
   lacksPart ||= isPart;
   if (isPart || (!hasStarted && target === window)) show(true);
 }, true);

@@ -5,7 +5,8 @@ const RULES = {
   createScriptURL: (address: string) => {
     // Not location.origin, which is "null" in a frame with srcdoc.
     if (new URL(address).origin === self.origin) return address;
-    throw { code: "other-origin", message: `${address} is not on ${self.origin}`, hint: "Serve the package's files from the page's origin." };
+    const hint = "Serve the package's files from the page's origin.";
+    throw { code: "other-origin", message: `${address} is not on ${self.origin}`, hint };
   },
   createHTML: (text: string) => {
     if (FORBIDDEN_IN_SVG.test(text)) throw new TypeError("the SVG contains scripts or references");
@@ -13,17 +14,20 @@ const RULES = {
   },
 };
 
-const { trustedTypes } = globalThis as { trustedTypes?: { createPolicy: (name: string, rules: typeof RULES) => typeof RULES } };
+type Rules = typeof RULES;
+const { trustedTypes } = globalThis as { trustedTypes?: { createPolicy: (name: string, rules: Rules) => Rules } };
 /** Not exported, so that only these functions use it. */
-let policy: typeof RULES | undefined;
+let policy: Rules | undefined;
 
 /**
- * URL of a script of this page, for a worker. Throws the code `sandboxed`, `no-policy` or `other-origin` if the page may
- * not start it.
+ * URL of a script of this page, for a worker. Throws `sandboxed`, `no-policy` or `other-origin` if the page may not
+ * start it.
  */
 export function scriptUrl(url: URL) {
-  const hint = "Add allow-same-origin to the frame's sandbox.";
-  if (self.origin === "null") throw { code: "sandboxed", message: "a frame without an origin cannot start workers", hint };
+  if (self.origin === "null") {
+    const hint = "Add allow-same-origin to the frame's sandbox.";
+    throw { code: "sandboxed", message: "a frame without an origin cannot start workers", hint };
+  }
   return trusted().createScriptURL(url.href);
 }
 
@@ -32,12 +36,13 @@ export function trustedSvg(svg: string) {
   return trusted().createHTML(svg);
 }
 
-/** The Trusted Types policy that the Content-Security-Policy allows; plain strings in browsers without Trusted Types. */
+/** The page's Trusted Types policy; plain strings in browsers without Trusted Types. */
 function trusted() {
   try {
     policy ??= trustedTypes?.createPolicy("rosto", RULES) ?? RULES;
+    return policy;
   } catch (error) {
-    throw { code: "no-policy", message: String(error), hint: `Add "rosto" to trusted-types in the Content-Security-Policy.` };
+    const hint = `Add "rosto" to trusted-types in the Content-Security-Policy.`;
+    throw { code: "no-policy", message: String(error), hint };
   }
-  return policy;
 }

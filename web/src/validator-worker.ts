@@ -3,8 +3,10 @@ import { validateBytes } from "gltf-validator/gltf_validator.dart.js";
 
 const page = self as unknown as DedicatedWorkerGlobalScope;
 
-// Without a verdict if the validator fails.
-page.addEventListener("message", async ({ data: { id, bytes } }) => page.postMessage({ id, verdict: await verdictOn(bytes).catch(() => undefined) }));
+page.addEventListener("message", async ({ data: { id, bytes } }) => {
+  // Without a verdict if the validator fails.
+  page.postMessage({ id, verdict: await verdictOn(bytes).catch(() => undefined) });
+});
 page.postMessage({ ready: true });
 
 async function verdictOn(bytes: Uint8Array) {

@@ -79,7 +79,7 @@ export function point(name: string, value: unknown) {
 /** Ids by name, such as the choices of a file. */
 export function choices(name: string, value: unknown): Record<string, string> {
   const ids = plain(name, value);
-  if (typeof ids !== "object" || ids === null || Array.isArray(ids)) throw refusal("bad-choice", name, value, "an object of strings");
+  if (!isRecord(ids)) throw refusal("bad-choice", name, value, "an object of strings");
   return Object.fromEntries(Object.entries(ids).map(([key, id]) => [key, text(`${name}.${key}`, id)]));
 }
 
@@ -94,7 +94,7 @@ export function plain(name: string, value: unknown) {
 
 function copy(name: string, value: unknown, depth: number): unknown {
   if (typeof value === "number") return finite(name, value);
-  if (value === undefined || value === null || typeof value === "string" || typeof value === "boolean") return value;
+  if (value === null || /undefined|string|boolean/.test(typeof value)) return value;
   const isArray = Array.isArray(value);
   if (depth === 0 || !(isArray || isRecord(value))) throw refusal("bad-choice", name, value, "plain data");
   const parts = Object.entries(value).map(([key, part]) => [key, copy(`${name}.${key}`, part, depth - 1)] as const);
@@ -102,7 +102,7 @@ function copy(name: string, value: unknown, depth: number): unknown {
 }
 
 function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && [Object.prototype, null].includes(Object.getPrototypeOf(value));
+  return typeof value === "object" && value !== null && [Object.prototype, null].includes(Object.getPrototypeOf(value));
 }
 
 function described(value: unknown) {

@@ -22,8 +22,6 @@ export interface Listeners extends Notices {
   change: (isEdited: boolean) => void;
 }
 
-const NO_LISTENERS: Listeners = { progress: () => {}, face: () => {}, change: () => {}, show: console.error, hide: () => {} };
-
 /** One worker for all sessions of a page, as its networks are the largest part of Rosto. */
 const vision = new VisionClient();
 const sessions = new Set<FaceSession>();
@@ -31,9 +29,9 @@ const sessions = new Set<FaceSession>();
 /** A face on a canvas with gestures and keys, without the page's interface. */
 export class FaceSession {
   readonly host: Host;
-  #listeners: Listeners;
-  #opening: Opening;
-  #files: FaceFiles;
+  #listeners: Partial<Listeners>;
+  #opening;
+  #files;
   /** The face and its history when last seen. */
   #seen: { face: Face; history: string } | undefined;
 
@@ -42,26 +40,25 @@ export class FaceSession {
    *
    * @param tag next to the canvas, shows landmark names
    */
-  static async open(canvas: HTMLCanvasElement, listeners: Partial<Listeners> = {}, tag: HTMLOutputElement = make("output")) {
-    const all = { ...NO_LISTENERS, ...listeners };
+  static async open(canvas: HTMLCanvasElement, listeners: Partial<Listeners> = {}, tag = make("output")) {
     await loadWords(navigator.language);
-    return new FaceSession(await Host.open(canvas, all), tag, all);
+    const host = await Host.open(canvas, { show: console.error, hide: () => {}, ...listeners });
+    return new FaceSession(host, tag, listeners);
   }
 
-  private constructor(host: Host, tag: HTMLOutputElement, listeners: Listeners) {
-    this.host = host;
-    this.#listeners = listeners;
+  private constructor(host: Host, tag: HTMLOutputElement, listeners: Partial<Listeners>) {
+    [this.host, this.#listeners] = [host, listeners];
     sessions.add(this);
     this.#opening = new Opening(Promise.resolve(host), vision, {
-      progress: listeners.progress,
+      progress: (stage, fraction) => listeners.progress?.(stage, fraction),
       opened: () => {
-        listeners.face();
+        listeners.face?.();
         host.announce();
       },
       failed: (error) => {
         throw error;
       },
-      ended: (isNewest) => isNewest && listeners.progress(),
+      ended: (isNewest) => isNewest && listeners.progress?.(),
     });
     this.#files = new FaceFiles(host, vision, this.#opening);
     new LandmarkMarks(host, { tag });
@@ -122,6 +119,6 @@ export class FaceSession {
     const history = JSON.stringify(JSON.parse(face.edits ?? "{}").history);
     const isEdited = face === this.#seen?.face && history !== this.#seen.history;
     this.#seen = { face, history };
-    this.#listeners.change(isEdited);
+    this.#listeners.change?.(isEdited);
   }
 }

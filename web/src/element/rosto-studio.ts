@@ -154,7 +154,9 @@ export class RostoStudio extends HTMLElement {
    * @param to_mm new value
    */
   setSlider(slider: string, to_mm: number) {
-    this.#now((_, { slidersMm }) => [{ slide: [oneOf("slider", slider, Object.keys(slidersMm)), finite("to_mm", to_mm)] }, "commit"]);
+    this.#now((_, { slidersMm }) => {
+      return [{ slide: [oneOf("slider", slider, Object.keys(slidersMm)), finite("to_mm", to_mm)] }, "commit"];
+    });
   }
 
   /**
@@ -164,7 +166,9 @@ export class RostoStudio extends HTMLElement {
    * @param to weight, 0 to 1
    */
   express(expression: string, to: number) {
-    this.#now((_, { weights }) => [{ express: [oneOf("expression", expression, Object.keys(weights)), finite("to", to)] }, "commit"]);
+    this.#now((_, { weights }) => {
+      return [{ express: [oneOf("expression", expression, Object.keys(weights)), finite("to", to)] }, "commit"];
+    });
   }
 
   undo() {
@@ -337,8 +341,8 @@ export class RostoStudio extends HTMLElement {
   #reflectState() {
     const { state } = this;
     for (const name of CHOICES) {
-      const chosen = state[name];
-      if (this.hasAttribute(name) && chosen !== undefined && this.getAttribute(name) !== chosen) this.setAttribute(name, chosen);
+      const [given, chosen] = [this.getAttribute(name), state[name]];
+      if (given !== null && chosen !== undefined && given !== chosen) this.setAttribute(name, chosen);
     }
     this.#stage?.enableTools({ undo: state.canUndo, redo: state.canRedo, reset: state.edits > 0, download: true });
   }

@@ -4,6 +4,8 @@ import styles from "./stage.css";
 import type { WordKey } from "../words/words.ts";
 import type { RostoError } from "./checks.ts";
 
+const SVG = "http://www.w3.org/2000/svg";
+
 /** Errors that prevent the 3D view; the element then shows the photo unchanged. */
 const WITHOUT_3D = /^(no-web|no-adapter|no-device|canvas-in-use)/;
 
@@ -105,14 +107,13 @@ export class Stage {
 }
 
 function button(tool: Tool, lines: string, use: (tool: Tool) => void) {
-  const [made, svg, path] = [make("button"), ...["svg", "path"].map((tag) => document.createElementNS("http://www.w3.org/2000/svg", tag))];
-  made.type = "button";
-  made.dataset["tool"] = tool;
-  svg?.setAttribute("viewBox", "0 0 20 20");
-  svg?.setAttribute("aria-hidden", "true");
-  path?.setAttribute("d", lines);
-  svg?.append(path ?? "");
-  made.append(svg ?? "");
+  const made = make("button");
+  [made.type, made.dataset["tool"]] = ["button", tool];
+  const svg = document.createElementNS(SVG, "svg");
+  svg.setAttribute("viewBox", "0 0 20 20");
+  svg.append(document.createElementNS(SVG, "path"));
+  svg.firstElementChild?.setAttribute("d", lines);
+  made.append(svg);
   made.addEventListener("click", () => use(tool));
   return made;
 }
