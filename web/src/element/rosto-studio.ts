@@ -1,4 +1,5 @@
 import { fileUrl, init } from "../files.ts";
+import { isTyping } from "../page/dom.ts";
 import { download } from "../page/download.ts";
 import { scriptUrl } from "../trusted.ts";
 import { languageFor, loadWords, onLocaleChange, setLanguage } from "../words/words.ts";
@@ -19,7 +20,7 @@ const CHOICES = ["shading", "density", "lens"] as const;
  * an `img` child. See docs/embed.md.
  */
 export class RostoStudio extends HTMLElement {
-  static observedAttributes = ["src", "lang", "controls", ...CHOICES];
+  static observedAttributes = ["src", "lang", "controls", "panel", ...CHOICES];
 
   #shadow = this.attachShadow({ mode: "open" });
   #stage: Stage | undefined;
@@ -28,6 +29,7 @@ export class RostoStudio extends HTMLElement {
   /** Why the session did not open. */
   #failure: RostoError | undefined;
   #teardown = new AbortController();
+  #panel: Promise<void> | undefined;
   /** URL of the photo last given by the markup. */
   #photoUrl: string | undefined;
 
@@ -59,7 +61,7 @@ export class RostoStudio extends HTMLElement {
     if (!this.#opened) return;
     if (name === "src") this.#openFromMarkup();
     else if (name === "lang") this.#opened.then(() => setLanguage(languageFor(this.#language()))).catch(() => {});
-    else if (name === "controls") this.#showTools();
+    else if (name === "controls" || name === "panel") this.#showTools();
     else if (value !== null && this.#session) this.#choose(this.#session, name, value);
   }
 
@@ -271,13 +273,13 @@ export class RostoStudio extends HTMLElement {
       const value = this.getAttribute(name);
       if (value !== null) this.#choose(session, name, value);
     }
-    this.addEventListener("keydown", (event) => this.#key(event), { signal });
+    this.#shadow.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
   }
 
   #close() {
     this.#teardown.abort(new RostoError("closed", "the element was removed from the page"));
     this.#session?.close();
-    this.#session = this.#opened = this.#failure = this.#photoUrl = undefined;
+    this.#session = this.#opened = this.#failure = this.#panel = this.#photoUrl = undefined;
     this.#shadow.replaceChildren();
   }
 
@@ -305,7 +307,7 @@ export class RostoStudio extends HTMLElement {
   }
 
   #key(event: KeyboardEvent) {
-    if (!(event.ctrlKey || event.metaKey) || !/^[zy]$/i.test(event.key)) return;
+    if (!(event.ctrlKey || event.metaKey) || !/^[zy]$/i.test(event.key) || isTyping(event)) return;
     event.preventDefault();
     this.#use(event.shiftKey || event.key.toLowerCase() === "y" ? "redo" : "undo");
   }
@@ -348,6 +350,8 @@ export class RostoStudio extends HTMLElement {
   }
 
   #showTools() {
+    const { face, host } = this.#session ?? {};
+    if (face && host && this.hasAttribute("panel")) this.#panel ??= import("./panel.ts").then(({ addPanel }) => addPanel(host, this.#shadow));
     const covered_px = this.#stage?.showTools(this.controls) ?? 0;
     this.#session?.host.apply({ "viewport-insets": [0, 0, covered_px * devicePixelRatio, 0] });
   }

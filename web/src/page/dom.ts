@@ -38,21 +38,19 @@ export function isTyping(event: Event) {
 
 type Action = (event: MouseEvent) => void;
 
-/** Actions by the name of their buttons. */
-const actions = new Map<string, Set<Action>>();
+/** The page, or the shadow root of an element. */
+export type Root = Document | ShadowRoot;
 
-/** Runs `action` when any button with `data-action="name"` is pressed, also a later one. */
-export function onAction(name: string, action: Action) {
-  if (actions.size === 0) document.addEventListener("click", perform);
-  actions.set(name, (actions.get(name) ?? new Set()).add(action));
-}
-
-function perform(event: MouseEvent) {
-  const button = event.target instanceof Element && event.target.closest<HTMLButtonElement>("button[data-action]");
-  if (button) for (const action of actions.get(button.dataset["action"] ?? "") ?? []) action(event);
+/** Runs `action` when any button of `root` with `data-action="name"` is pressed, also a later one. */
+export function onAction(name: string, action: Action, root: Root = document) {
+  root.addEventListener("click", (event) => {
+    const button = event.target instanceof Element && event.target.closest<HTMLButtonElement>("button[data-action]");
+    if (button && button.dataset["action"] === name) action(event as MouseEvent);
+  });
 }
 
 /** Enables the buttons of an action. */
-export function enableAction(name: string, isEnabled: boolean) {
-  for (const button of document.querySelectorAll<HTMLButtonElement>(`button[data-action="${name}"]`)) button.disabled = !isEnabled;
+export function enableAction(name: string, isEnabled: boolean, root: Root = document) {
+  const buttons = root.querySelectorAll<HTMLButtonElement>(`button[data-action="${name}"]`);
+  for (const button of buttons) button.disabled = !isEnabled;
 }
