@@ -1,3 +1,5 @@
+import { isTyping } from "../page/dom.ts";
+
 /** Whether an element is shown. Without a size, nothing can be drawn. */
 export function hasSize({ clientWidth, clientHeight }: Element) {
   return clientWidth > 0 && clientHeight > 0;
@@ -12,6 +14,17 @@ export function untilShown(element: Element, signal: AbortSignal) {
     // A hidden tab does not observe sizes.
     if (hasSize(element)) resolve();
   });
+}
+
+/** Listens to the keys of undo and redo in an element, except while typing. */
+export function onUndoKey(root: ShadowRoot, act: (what: "undo" | "redo") => void, signal: AbortSignal) {
+  const listener = (event: Event) => {
+    if (!(event instanceof KeyboardEvent) || !(event.ctrlKey || event.metaKey) || isTyping(event)) return;
+    if (!/^[zy]$/i.test(event.key)) return;
+    event.preventDefault();
+    act(event.shiftKey || event.key.toLowerCase() === "y" ? "redo" : "undo");
+  };
+  root.addEventListener("keydown", listener, { signal });
 }
 
 /** Fetches a file and names it after its URL. */

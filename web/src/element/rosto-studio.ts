@@ -1,5 +1,4 @@
 import { fileUrl, init } from "../files.ts";
-import { isTyping } from "../page/dom.ts";
 import { download } from "../page/download.ts";
 import { scriptUrl } from "../trusted.ts";
 import { languageFor, loadWords, onLocaleChange, setLanguage } from "../words/words.ts";
@@ -7,9 +6,10 @@ import { leadOf } from "../work/face.ts";
 import { fileName } from "../work/file-name.ts";
 import { RostoError, finite, index, oneOf, photoFile, point, text } from "./checks.ts";
 import { FaceSession } from "./face-session.ts";
-import { fetchedFile, hasSize, untilShown } from "./host-page.ts";
+import { fetchedFile, hasSize, onUndoKey, untilShown } from "./host-page.ts";
 import { Stage } from "./stage.ts";
 import type { Tool } from "./stage.ts";
+import type { Host } from "../viewport/host.ts";
 import type { Intent, State } from "../../wasm/rosto-studio-web.js";
 
 /** Attributes that set the studio's choice of the same name. */
@@ -269,11 +269,8 @@ export class RostoStudio extends HTMLElement {
     for (const query of [motion, dark]) query.addEventListener("change", applyPreferences, { signal });
     applyPreferences();
     session.host.onRestart(async () => applyPreferences());
-    for (const name of CHOICES) {
-      const value = this.getAttribute(name);
-      if (value !== null) this.#choose(session, name, value);
-    }
-    this.#shadow.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
+    for (const name of CHOICES) this.attributeChangedCallback(name, null, this.getAttribute(name));
+    onUndoKey(this.#shadow, (tool) => this.#use(tool), signal);
   }
 
   #close() {
@@ -304,12 +301,6 @@ export class RostoStudio extends HTMLElement {
     } catch (error) {
       this.#fail(error);
     }
-  }
-
-  #key(event: KeyboardEvent) {
-    if (!(event.ctrlKey || event.metaKey) || !/^[zy]$/i.test(event.key) || isTyping(event)) return;
-    event.preventDefault();
-    this.#use(event.shiftKey || event.key.toLowerCase() === "y" ? "redo" : "undo");
   }
 
   async #use(tool: Tool) {
@@ -351,9 +342,14 @@ export class RostoStudio extends HTMLElement {
 
   #showTools() {
     const { face, host } = this.#session ?? {};
-    if (face && host && this.hasAttribute("panel")) this.#panel ??= import("./panel.ts").then(({ addPanel }) => addPanel(host, this.#shadow));
+    if (face && host && this.hasAttribute("panel")) this.#panel ??= this.#addPanel(host);
     const covered_px = this.#stage?.showTools(this.controls) ?? 0;
     this.#session?.host.apply({ "viewport-insets": [0, 0, covered_px * devicePixelRatio, 0] });
+  }
+
+  async #addPanel(host: Host) {
+    const { addPanel } = await import("./panel.ts");
+    if (!host.closed.aborted) addPanel(host, this.#shadow);
   }
 
   /**

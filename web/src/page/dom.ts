@@ -36,16 +36,14 @@ export function isTyping(event: Event) {
   return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }
 
-type Action = (event: MouseEvent) => void;
-
 /** The page, or the shadow root of an element. */
 export type Root = Document | ShadowRoot;
 
 /** Runs `action` when any button of `root` with `data-action="name"` is pressed, also a later one. */
-export function onAction(name: string, action: Action, root: Root = document) {
+export function onAction(name: string, action: (event: MouseEvent) => void, root: Root = document) {
   root.addEventListener("click", (event) => {
-    const button = event.target instanceof Element && event.target.closest<HTMLButtonElement>("button[data-action]");
-    if (button && button.dataset["action"] === name) action(event as MouseEvent);
+    const isMeant = event.target instanceof Element && event.target.closest(`button[data-action="${name}"]`);
+    if (isMeant) action(event as MouseEvent);
   });
 }
 
