@@ -32,7 +32,7 @@ test("a refusal names the given and the allowed values", async ({ openElement })
     [(face) => face.setSlider("ears", 1), "bad-choice", /^slider is "ears"; use one of .*nose-width/],
     [(face) => face.getFile(7), "bad-choice", /^format is 7; use one of glb, /],
     [(face) => face.getFile("stl", { solid: 3 }), "bad-choice", /^choices.solid is 3; use a string$/],
-    [(face) => face.moveLandmark(undefined, [0, 0, 1]), "bad-number", /^landmark is undefined; use an integer from 0 to 477$/],
+    [(face) => face.moveLandmark(undefined, [0, 0, 1]), "bad-number", /^landmark is undefined; use an integer from 0 to 467$/],
     [(face) => face.moveLandmark(1, "123"), "bad-number", /^offset_mm is "123"; use \[x, y, z\]$/],
     [(face) => face.moveLandmark(1, [0, 1]), "bad-number", /^offset_mm is an array of 2; use \[x, y, z\]$/],
     [(face) => face.moveLandmark(1, [0, 0, Number.NaN]), "bad-number", /^offset_mm\.2 is NaN; use a finite number$/],
@@ -58,7 +58,7 @@ async function refusals(face) {
   const fail = () => {
     throw new Error("of the host");
   };
-  const reenter = () => face.undo();
+  const reenter = () => face.apply({ zoom: 1 });
   const wrong = {
     ...{ undefined: undefined, null: null, NaN: Number.NaN, Infinity: Infinity, true: true, empty: "", "123": "123" },
     ...{ "-1": -1, "1.5": 1.5, "1e9": 1e9, array: [], object: {}, symbol: Symbol("wrong"), bigint: 1n, function: () => {}, revoked },

@@ -1,3 +1,4 @@
+import path from "node:path";
 import { PNG } from "pngjs";
 import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
@@ -24,7 +25,8 @@ export const test = base.extend({
       const headers = { "content-type": "text/html", ...(policy && { "content-security-policy": policy }) };
       const before = async (context) => {
         // Browsers refuse a sandboxed page the local server itself.
-        if (policy?.startsWith("sandbox")) await context.route(`${server.url}**`, async (route) => route.fulfill({ response: await route.fetch() }));
+        const answer = (route) => route.fulfill({ path: path.join(SITE, route.request().url().slice(server.url.length)), headers: ofFiles });
+        if (policy?.startsWith("sandbox")) await context.route(`${server.url}**`, answer);
         if (body) await context.route(url, (route) => route.fulfill({ headers, body: html }));
       };
       return new ElementVisitor(await open({ url, before, scripts: [hookModule, recordGpus, recordEvents] }));
