@@ -1,17 +1,16 @@
 import { make } from "../page/dom.ts";
 import { Opening } from "../opening.ts";
 import { VisionClient } from "../photo/vision-client.ts";
-import { Host } from "../viewport/host.ts";
+import { Host, type Notices } from "../viewport/host.ts";
 import { LandmarkMarks } from "../viewport/landmark-marks.ts";
 import { setUpViewKeys } from "../viewport/shortcuts.ts";
 import { WholeTexture } from "../viewport/whole-texture.ts";
 import { FaceFiles } from "../work/face-files.ts";
 import { loadWords } from "../words/words.ts";
 import { choices, index, oneOf, plain } from "./checks.ts";
-import type { Notices } from "../viewport/host.ts";
 import type { Face } from "../work/face.ts";
 import type { Stage } from "../worker/protocol.ts";
-import type { Applied, Intent } from "../../wasm/rosto-studio-web.js";
+import type { Intent } from "../../wasm/rosto-studio-web.js";
 
 export interface Listeners extends Notices {
   /** `stage` is undefined when the progress is over */
@@ -89,7 +88,7 @@ export class FaceSession {
   }
 
   /** Applies an intent; throws if the studio rejects it. */
-  apply(intent: Intent): Applied {
+  apply(intent: Intent) {
     return this.host.attempt(plain("intent", intent) as Intent);
   }
 

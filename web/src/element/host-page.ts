@@ -1,4 +1,6 @@
+import { fetchFile } from "../files.ts";
 import { isTyping } from "../page/dom.ts";
+import { text } from "./checks.ts";
 
 /** Whether an element is shown. Without a size, nothing can be drawn. */
 export function hasSize({ clientWidth, clientHeight }: Element) {
@@ -8,7 +10,11 @@ export function hasSize({ clientWidth, clientHeight }: Element) {
 /** Resolves once an element is shown; rejects when `signal` aborts. */
 export function untilShown(element: Element, signal: AbortSignal) {
   return new Promise<void>((resolve, reject) => {
-    const observer = new ResizeObserver(() => hasSize(element) && resolve());
+    const observer = new ResizeObserver(() => {
+      if (!hasSize(element)) return;
+      observer.disconnect();
+      resolve();
+    });
     observer.observe(element);
     signal.addEventListener("abort", () => reject(signal.reason));
     // A hidden tab does not observe sizes.
@@ -27,24 +33,19 @@ export function onUndoKey(root: ShadowRoot, act: (what: "undo" | "redo") => void
   root.addEventListener("keydown", listener, { signal });
 }
 
-/** Fetches a file and names it after its URL. */
-export async function fetchedFile(address: string, base: string) {
-  try {
-    const url = new URL(address, base);
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`${response.status} for ${url}`);
-    return new File([await response.blob()], nameIn(url));
-  } catch (error) {
+/** The file of a photo; an address is fetched, and names the file. */
+export function photoFile(photo: unknown, base: string) {
+  if (photo instanceof Blob) return Promise.resolve(photo);
+  return fetched(text("photo", photo, "a Blob or an address"), base).catch((error) => {
     throw { code: "unreadable-file", message: String(error), hint: "" };
-  }
+  });
 }
 
-function nameIn({ protocol, pathname }: URL) {
-  const name = protocol.startsWith("http") ? (pathname.split("/").at(-1) ?? "") : "";
-  try {
-    return decodeURIComponent(name);
-  } catch {
-    // Not encoded, as in 100%.jpg.
-    return name;
-  }
+async function fetched(address: string, base: string) {
+  const url = new URL(address, base);
+  const blob = await (await fetchFile(url)).blob();
+  const name = url.protocol.startsWith("http") ? url.pathname.split("/").at(-1) : "";
+  // Unlike decodeURIComponent, this accepts 100%.jpg.
+  const decoded = new URLSearchParams(`name=${name?.replaceAll(/[&+]/g, encodeURIComponent)}`).get("name");
+  return new File([blob], decoded ?? "");
 }

@@ -4,9 +4,9 @@ import { scriptUrl } from "../trusted.ts";
 import { languageFor, loadWords, onLocaleChange, setLanguage } from "../words/words.ts";
 import { leadOf } from "../work/face.ts";
 import { fileName } from "../work/file-name.ts";
-import { RostoError, finite, index, oneOf, photoFile, point, text } from "./checks.ts";
+import { RostoError, finite, index, oneOf, point, text } from "./checks.ts";
 import { FaceSession } from "./face-session.ts";
-import { fetchedFile, hasSize, onUndoKey, untilShown } from "./host-page.ts";
+import { hasSize, onUndoKey, photoFile, untilShown } from "./host-page.ts";
 import { Stage } from "./stage.ts";
 import type { Tool } from "./stage.ts";
 import type { Host } from "../viewport/host.ts";
@@ -38,8 +38,9 @@ export class RostoStudio extends HTMLElement {
     if (this.#opened) return;
     this.#teardown = new AbortController();
     const { signal } = this.#teardown;
-    this.#stage = new Stage(this.#shadow, (tool) => this.#use(tool));
-    this.#opened = this.#open(this.#stage, signal);
+    const stage = new Stage(this.#shadow, (tool) => this.#use(tool));
+    this.#stage = stage;
+    this.#opened = this.#later(() => this.#open(stage, signal));
     this.#opened.then(() => this.#emit("rosto-ready"), (error) => {
       if (!signal.aborted) this.#failure = this.#fail(error);
     });
@@ -113,15 +114,14 @@ export class RostoStudio extends HTMLElement {
    * @param photo file or URL
    */
   async open(photo: Blob | string) {
-    const given = photoFile("photo", photo);
-    const file = typeof given === "string" ? fetchedFile(given, this.baseURI) : Promise.resolve(given);
-    file.catch(() => {});
-    const session = await this.#ready();
-    try {
-      await session.open(file);
-    } catch (error) {
-      if (!this.#teardown.signal.aborted) throw this.#fail(error);
-    }
+    await this.#later(async () => {
+      const file = photoFile(photo, this.baseURI);
+      file.catch(() => {});
+      const session = await this.#ready();
+      await session.open(file).catch((error) => {
+        if (!this.#teardown.signal.aborted) throw this.#fail(error);
+      });
+    });
   }
 
   /**
@@ -130,7 +130,7 @@ export class RostoStudio extends HTMLElement {
    * @param index from 0, most prominent first
    */
   openFace(index: number) {
-    return this.#later((session) => session.openFace(index));
+    return this.#later(async () => (await this.#ready()).openFace(index));
   }
 
   /**
@@ -202,7 +202,7 @@ export class RostoStudio extends HTMLElement {
 
   /** Exports the face as glb, obj, ply, stl, 3mf, usdz or json. */
   getFile(format: string, choices?: Record<string, string>) {
-    return this.#later((session) => session.file(format, choices));
+    return this.#later(async () => (await this.#ready()).file(format, choices));
   }
 
   /** Applies the intents that `plan` returns. */
@@ -218,12 +218,8 @@ export class RostoStudio extends HTMLElement {
     }
   }
 
-  async #later<T>(act: (session: FaceSession) => Promise<T>) {
-    try {
-      return await act(await this.#ready());
-    } catch (error) {
-      throw RostoError.of(error);
-    }
+  #later<T>(act: () => Promise<T>) {
+    return act().catch((error) => Promise.reject(RostoError.of(error)));
   }
 
   #ready() {
@@ -231,9 +227,8 @@ export class RostoStudio extends HTMLElement {
   }
 
   #notReady() {
-    if (!this.#opened) return new RostoError("not-ready", "the element is not on a page");
-    if (!hasSize(this)) return new RostoError("not-ready", "the element is hidden, and starts once it is shown");
-    return this.#failure ?? new RostoError("not-ready", "the element is not ready yet; wait for rosto-ready");
+    const inPage = hasSize(this) ? "loading; wait for rosto-ready" : "hidden, and starts once it is shown";
+    return this.#failure ?? new RostoError("not-ready", `the element is ${this.#opened ? inPage : "not on a page"}`);
   }
 
   async #open(stage: Stage, signal: AbortSignal) {

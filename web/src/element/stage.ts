@@ -26,6 +26,8 @@ export class Stage {
   tag = make("output", "tag");
   #root = make("div", "stage");
   #progress = make("label", "progress");
+  #step = make("span");
+  #bar = make("progress");
   #notice = make("p", "notice");
   #noticeOwner: string | undefined;
   #toolbar = make("div", "toolbar");
@@ -35,7 +37,7 @@ export class Stage {
     this.canvas.tabIndex = 0;
     [this.canvas.role, this.#notice.role, this.#toolbar.role] = ["application", "alert", "toolbar"];
     for (const part of [this.tag, this.#progress, this.#notice, this.#toolbar]) part.hidden = true;
-    this.#progress.append(make("span"), make("progress"));
+    this.#progress.append(this.#step, this.#bar);
     for (const [tool, [, lines]] of Object.entries(TOOLS)) this.#toolbar.append(button(tool as Tool, lines, use));
     this.#root.append(make("slot"), this.canvas, this.tag, this.#progress, this.#notice, this.#toolbar);
     const sheet = new CSSStyleSheet();
@@ -70,10 +72,9 @@ export class Stage {
     this.#progress.hidden = step === undefined;
     if (step === undefined) return;
     this.hideNotice();
-    const [label, bar] = this.#progress.children as unknown as [HTMLElement, HTMLProgressElement];
-    label.textContent = t(step === "loading" ? "progress.loading" : "progress.working");
-    if (step === "loading") bar.removeAttribute("value");
-    else bar.value = fraction;
+    this.#step.textContent = t(step === "loading" ? "progress.loading" : "progress.working");
+    if (step === "loading") this.#bar.removeAttribute("value");
+    else this.#bar.value = fraction;
   }
 
   /**
