@@ -1,3 +1,4 @@
+import path from "node:path";
 import { PNG } from "pngjs";
 import { test as base } from "./fixtures.mjs";
 import { installed, SITE } from "./package.mjs";
@@ -6,16 +7,28 @@ import { hookModule, recordGpus } from "./page-scripts.mjs";
 
 const SCRIPT = `<script type="module" src="node_modules/rosto/rosto.js"></script>`;
 
-/** Fixtures for the example page, or for a page with a given `body` and policy next to the installed package. */
+/**
+ * Fixtures for the example page, or for a page with a given `body` and policy next to the installed package, whose files
+ * are served with `headers`.
+ */
 export const test = base.extend({
   openElement: async ({ open }, use) => {
     await installed();
     const server = await serve(SITE, "/a/page/");
-    await use(async ({ body, policy } = {}) => {
+    await use(async ({ body, policy, headers: ofFiles = {} } = {}) => {
+      server.intercept((_, response) => {
+        for (const [name, value] of Object.entries(ofFiles)) response.setHeader(name, value);
+        return false;
+      });
       const url = `${server.url}${body ? "page.html" : ""}`;
       const html = `<!doctype html><html lang="en"><meta charset="utf-8">${SCRIPT}<body>${body}`;
       const headers = { "content-type": "text/html", ...(policy && { "content-security-policy": policy }) };
-      const before = (context) => body && context.route(url, (route) => route.fulfill({ headers, body: html }));
+      const before = async (context) => {
+        // Browsers refuse a sandboxed page the local server itself.
+        const answer = (route) => route.fulfill({ path: path.join(SITE, route.request().url().slice(server.url.length)), headers: ofFiles });
+        if (policy?.startsWith("sandbox")) await context.route(`${server.url}**`, answer);
+        if (body) await context.route(url, (route) => route.fulfill({ headers, body: html }));
+      };
       return new ElementVisitor(await open({ url, before, scripts: [hookModule, recordGpus, recordEvents] }));
     });
     server.close();
@@ -62,9 +75,16 @@ class ElementVisitor {
   }
 
   /** Code of the error that a function throws for the first element. @param {(face: any) => unknown} action */
-  refusal(action) {
+  async refusal(action) {
+    return (await this.thrown(action))?.code;
+  }
+
+  /** The error that a function throws for the first element. @param {(face: any) => unknown} action */
+  thrown(action) {
     const face = `document.querySelector("rosto-studio")`;
-    return this.page.evaluate(`(async () => { try { await (${action})(${face}); } catch (error) { return error.code; } })()`);
+    return this.page.evaluate(`(async () => {
+      try { await (${action})(${face}); } catch ({ name, code, message, hint }) { return { name, code, message, hint }; }
+    })()`);
   }
 
   /** Opens a file in the page's first element. @param {Uint8Array} bytes @param {string} name */

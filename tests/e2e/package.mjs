@@ -6,10 +6,12 @@ import { SAMPLE } from "./visitor.mjs";
 
 const run = promisify(execFile);
 const ROOT = path.resolve(import.meta.dirname, "../..");
-const BUILT = path.join(ROOT, "target/npm/rosto");
+/** Playwright's workers run at the same time. */
+const PLACE = path.join(ROOT, "target/npm/e2e", process.env.TEST_PARALLEL_INDEX ?? "0");
+const BUILT = path.join(PLACE, "rosto");
 
 /** Folder with the example page, next to the package as installed by npm. */
-export const SITE = path.join(ROOT, "target/npm/site");
+export const SITE = path.join(PLACE, "site");
 
 /** @type {Promise<void> | undefined} */
 let installing;
@@ -18,7 +20,7 @@ let installing;
 export const installed = () => (installing ??= install());
 
 async function install() {
-  await run("node", ["web/build/package.mjs"], { cwd: ROOT });
+  await run("node", ["web/build/package.mjs", BUILT], { cwd: ROOT });
   await rm(SITE, { recursive: true, force: true });
   await mkdir(SITE, { recursive: true });
   const { stdout: tarball } = await run("npm", ["pack", BUILT, "--silent"], { cwd: SITE });

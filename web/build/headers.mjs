@@ -38,17 +38,20 @@ export function headersOf(page) {
  */
 export function hostFiles(page, version) {
   const headers = headersOf(page);
-  const format = (/** @type {(name: string, value: string) => string} */ line) => headers.map(([name, value]) => line(name, value)).join("\n");
+  /** @param {(header: [name: string, value: string]) => string} line */
+  const format = (line) => headers.map(line).join("\n");
   const rule = (source, all) => ({ source, headers: all.map(([key, value]) => ({ key, value })) });
-  const vercel = { headers: [rule("/(.*)", [...headers, ["Cache-Control", REVALIDATE]]), rule(`/${version}/(.*)`, [["Cache-Control", IMMUTABLE]])] };
-  const revalidated = ["/", "/index.html", "/service-worker.js"].map((name) => `${name}\n  Cache-Control: ${REVALIDATE}\n`).join("");
+  const revalidated = rule("/(.*)", [...headers, ["Cache-Control", REVALIDATE]]);
+  const immutable = rule(`/${version}/(.*)`, [["Cache-Control", IMMUTABLE]]);
+  const cache = (pattern, value) => `${pattern}\n  Cache-Control: ${value}\n`;
+  const pages = ["/", "/index.html", "/service-worker.js"].map((name) => cache(name, REVALIDATE));
   return {
     // Netlify, Cloudflare Pages and others.
-    _headers: `/*\n${format((name, value) => `  ${name}: ${value}`)}\n${revalidated}/${version}/*\n  Cache-Control: ${IMMUTABLE}\n`,
-    "vercel.json": `${JSON.stringify(vercel, undefined, 2)}\n`,
+    _headers: ["/*\n", format(([name, value]) => `  ${name}: ${value}`), "\n", ...pages, cache(`/${version}/*`, IMMUTABLE)].join(""),
+    "vercel.json": `${JSON.stringify({ headers: [revalidated, immutable] }, undefined, 2)}\n`,
     ".htaccess": [
       "<IfModule mod_headers.c>",
-      format((name, value) => `  Header always set ${name} "${value}"`),
+      format(([name, value]) => `  Header always set ${name} "${value}"`),
       `  Header always set Cache-Control "${REVALIDATE}"`,
       `  Header always set Cache-Control "${IMMUTABLE}" "expr=%{REQUEST_URI} =~ m#/${VERSION}/#"`,
       "</IfModule>",
@@ -60,7 +63,7 @@ export function hostFiles(page, version) {
       "# Include this in the location block that serves the page.",
       `set $rosto_cache "${REVALIDATE}";`,
       `if ($uri ~ "/${VERSION}/") { set $rosto_cache "${IMMUTABLE}"; }`,
-      format((name, value) => `add_header ${name} "${value}" always;`),
+      format(([name, value]) => `add_header ${name} "${value}" always;`),
       "add_header Cache-Control $rosto_cache always;",
       "",
     ].join("\n"),

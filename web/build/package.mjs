@@ -17,7 +17,7 @@ await build({ ...MODULES, entryPoints: { rosto: "src/package.ts" }, outdir: OUT 
 await build({ ...WORKER, outdir: OUT });
 const version = (await readdir(DIST)).find((name) => /^[0-9a-f]{16}$/.test(name)) ?? "";
 for (const name of await readdir(path.join(DIST, version))) {
-  if (/\.(wasm|onnx)$/.test(name)) await cp(path.join(DIST, version, name), path.join(OUT, name));
+  if (/\.(wasm|onnx)$|^icons\.svg$/.test(name)) await cp(path.join(DIST, version, name), path.join(OUT, name));
 }
 await writeTypes();
 for (const name of ["LICENSE-MIT", "LICENSE-APACHE", "NOTICE", "web/package/README.md"]) await cp(path.join(ROOT, name), path.join(OUT, path.basename(name)));

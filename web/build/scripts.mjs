@@ -14,8 +14,12 @@ export const SHARED = {
   logLevel: "warning",
 };
 
-/** Scripts for one folder; parts that load later become chunks there. @type {import("esbuild").BuildOptions} */
-export const MODULES = { ...SHARED, format: "esm", splitting: true, chunkNames: "[name]-[hash]" };
+/**
+ * Scripts for one folder; parts that load later become chunks there, and style sheets of shadow roots texts.
+ *
+ * @type {import("esbuild").BuildOptions}
+ */
+export const MODULES = { ...SHARED, format: "esm", splitting: true, chunkNames: "[name]-[hash]", loader: { ".css": "text" } };
 
 /** The worker is one classic script, which bundlers of other projects can copy. @type {import("esbuild").BuildOptions} */
 export const WORKER = {

@@ -6,9 +6,11 @@ let base: URL | undefined;
  * already loaded stay in use.
  *
  * @param url of the folder, with or without a trailing slash
+ * @param from address to which it is relative
  */
-export function init(url: string | URL) {
-  const folder = new URL(url, location.href);
+export function init(url: string | URL, from = location.href) {
+  if (!URL.canParse(url, from)) throw { code: "bad-choice", message: `base is "${url}"; use an address`, hint: "" };
+  const folder = new URL(url, from);
   if (!folder.pathname.endsWith("/")) folder.pathname += "/";
   base = folder;
 }

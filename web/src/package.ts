@@ -1,13 +1,14 @@
 /** The npm package. */
 import type { RostoStudio } from "./element/rosto-studio.ts";
-import type { StudioSnapshot } from "./element/state.ts";
 
 export { FaceSession } from "./element/face-session.ts";
 export { RostoStudio } from "./element/rosto-studio.ts";
-export type { StudioSnapshot } from "./element/state.ts";
 export { VisionClient } from "./photo/vision-client.ts";
 export { Host } from "./viewport/host.ts";
 export { init } from "./files.ts";
+
+/** The state of an element; also the detail of the event `rosto-change`. */
+export type StudioSnapshot = RostoStudio["state"];
 
 /** Detail of the event `rosto-face`. */
 export interface ShownFace {

@@ -3,10 +3,10 @@
  * files never change, so they come from the caches first. The page itself comes from the network; after a timeout or an
  * error, from the newest complete cache.
  *
- * A cache is kept while a tab uses its version; tabs show that by a Web Lock. See version.ts.
+ * A cache is kept while a tab uses its version; tabs show that by a Web Lock. See offline.ts.
  */
 
-/** Hashes by file name; `fallback`: only for browsers without WebGPU. Defined in the build. */
+/** Hashes by file name, from the build; `fallback`: only for browsers without WebGPU, whose page adds a parameter. */
 declare const BUILD: { version: string; files: Record<string, string>; fallback: Record<string, string> };
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
@@ -35,8 +35,9 @@ async function store() {
   const cache = await caches.open(PREFIX + BUILD.version);
   const page = await fetch(PAGE, { cache: "no-cache" });
   if (!(await page.clone().text()).includes(`${BUILD.version}/`)) throw new Error("the page has another version");
-  const files = { ...BUILD.files, ...((await usesFallback()) && BUILD.fallback) };
-  await Promise.all(Object.entries(files).map(([file, integrity]) => storeFile(cache, `${BUILD.version}/${file}`, integrity)));
+  const files = { ...BUILD.files, ...(location.search && BUILD.fallback) };
+  const stored = Object.entries(files).map(([file, hash]) => storeFile(cache, `${BUILD.version}/${file}`, hash));
+  await Promise.all(stored);
   // Last, as it marks the cache as complete.
   await cache.put(PAGE, page);
   await worker.skipWaiting();
@@ -47,13 +48,6 @@ async function storeFile(cache: Cache, url: string, integrity: string) {
   const response = await fetch(url, { integrity }).catch(() => fetch(url, { integrity, cache: "reload" }));
   if (!response.ok) throw new Error(`${url}: HTTP status ${response.status}`);
   await cache.put(url, response);
-}
-
-/** Whether this browser has stored the module for WebGL2 of an earlier version. */
-async function usesFallback() {
-  const stored = (await versions()).map(async (name) => (await (await caches.open(name)).keys()).map(({ url }) => url));
-  const names = Object.keys(BUILD.fallback).filter((file) => file.endsWith(".wasm"));
-  return (await Promise.all(stored)).flat().some((url) => names.some((name) => url.endsWith(`/${name}`)));
 }
 
 /** Names of the caches, oldest first; none if they cannot be read. */
@@ -76,7 +70,16 @@ function isPage(request: Request) {
 
 async function pageFor(request: Request) {
   const stored = await storedPage();
-  return stored ? ((await fetchInTime(request)) ?? stored) : fetch(request);
+  if (!stored) return fetch(request);
+  try {
+    const response = await fetch(request, { signal: AbortSignal.timeout(TIMEOUT_MS) });
+    // Completely, as the network may stop halfway.
+    await response.clone().text();
+    // The browser follows a redirect itself.
+    return response.ok || response.type === "opaqueredirect" ? response : stored;
+  } catch {
+    return stored;
+  }
 }
 
 /** The page of the newest complete cache. */
@@ -88,25 +91,7 @@ async function storedPage() {
   return undefined;
 }
 
-/** Fetches a response completely; undefined after a timeout or an error. */
-async function fetchInTime(request: Request) {
-  const signal = AbortSignal.timeout(TIMEOUT_MS);
-  try {
-    const response = await fetch(request, { signal });
-    await response.clone().text();
-    // The browser follows a redirect itself.
-    return response.ok || response.type === "opaqueredirect" ? response : undefined;
-  } catch {
-    return undefined;
-  }
-}
-
 async function fileOf(version: string, request: Request) {
-  const name = PREFIX + version;
-  const stored = await caches.match(request, { cacheName: name, ignoreVary: true }).catch(() => undefined);
-  if (stored) return stored;
-  const response = await fetch(request);
-  // A file that was not stored with the others, such as the module for WebGL2.
-  if (response.ok && (await caches.has(name))) await (await caches.open(name)).put(request, response.clone()).catch(() => {});
-  return response;
+  const stored = await caches.match(request, { cacheName: PREFIX + version, ignoreVary: true }).catch(() => undefined);
+  return stored ?? fetch(request);
 }

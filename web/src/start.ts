@@ -5,7 +5,10 @@
 
 const folder = (document.currentScript as HTMLScriptElement).src.replace(/[^/]*$/, "");
 // While the page's script arrives. Browsers without WebGPU use another module.
-if ("gpu" in navigator) document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "fetch", crossOrigin: "", href: `${folder}rosto-studio-web_bg.wasm` }));
+if ("gpu" in navigator) {
+  const preload = { rel: "preload", as: "fetch", crossOrigin: "", href: `${folder}rosto-studio-web_bg.wasm` };
+  document.head.append(Object.assign(document.createElement("link"), preload));
+}
 
 /** Show the notice after this time; it disappears if the page starts later. */
 const TIMEOUT_MS = 20_000;
@@ -15,8 +18,9 @@ let lacksPart = false;
 
 // Resource errors do not bubble, so listen in the capture phase.
 addEventListener("error", ({ target }) => {
-  const isPart = target instanceof HTMLScriptElement || (target instanceof HTMLLinkElement && target.rel === "stylesheet");
-  if (isPart) lacksPart = true;
+  const isStyle = target instanceof HTMLLinkElement && target.rel === "stylesheet";
+  const isPart = isStyle || target instanceof HTMLScriptElement;
+  lacksPart ||= isPart;
   if (isPart || (!hasStarted && target === window)) show(true);
 }, true);
 
@@ -30,12 +34,10 @@ setTimeout(() => {
 }, TIMEOUT_MS);
 
 function show(isShown: boolean) {
+  const notice = document.getElementById("not-started");
   // This script runs before the notice is parsed.
-  if (document.readyState === "loading") {
-    document.addEventListener("DOMContentLoaded", () => show(isShown), { once: true });
-    return;
-  }
-  document.getElementById("not-started")?.toggleAttribute("data-shown", isShown);
+  if (!notice) return addEventListener("DOMContentLoaded", () => show(isShown), { once: true });
+  notice.toggleAttribute("data-shown", isShown);
   document.getElementById("start-again")?.addEventListener("click", reload);
 }
 

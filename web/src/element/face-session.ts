@@ -1,69 +1,63 @@
 import { make } from "../page/dom.ts";
 import { Opening } from "../opening.ts";
-import { Host } from "../viewport/host.ts";
+import { VisionClient } from "../photo/vision-client.ts";
+import { Host, type Notices } from "../viewport/host.ts";
 import { LandmarkMarks } from "../viewport/landmark-marks.ts";
 import { setUpViewKeys } from "../viewport/shortcuts.ts";
 import { WholeTexture } from "../viewport/whole-texture.ts";
 import { FaceFiles } from "../work/face-files.ts";
 import { loadWords } from "../words/words.ts";
-import { borrowVision, returnVision } from "./shared-vision.ts";
+import { choices, index, oneOf, plain } from "./checks.ts";
 import type { Face } from "../work/face.ts";
 import type { Stage } from "../worker/protocol.ts";
-import type { Applied, Intent } from "../../wasm/rosto-studio-web.js";
-import type { FileOptions } from "../../wasm/rosto-vision-web.js";
+import type { Intent } from "../../wasm/rosto-studio-web.js";
 
-export interface Listeners {
-  progress: (stage: Stage | "loading", fraction: number) => void;
-  /** the progress is over */
-  ended: () => void;
+export interface Listeners extends Notices {
+  /** `stage` is undefined when the progress is over */
+  progress: (stage?: Stage | "loading", fraction?: number) => void;
   /** another face is shown */
   face: () => void;
-  /** the edits have changed */
-  change: () => void;
-  /** any state has changed */
-  announce: () => void;
-  /** of a background operation, with its owner */
-  error: (thrown: unknown, owner: string) => void;
-  /** the owner's error no longer applies */
-  settled: (owner: string) => void;
+  /** any state has changed; `isEdited`: the edits have */
+  change: (isEdited: boolean) => void;
 }
 
-const NO_LISTENERS: Listeners = { progress: () => {}, ended: () => {}, face: () => {}, change: () => {}, announce: () => {}, error: (thrown) => console.error(thrown), settled: () => {} };
+/** One worker for all sessions of a page, as its networks are the largest part of Rosto. */
+const vision = new VisionClient();
+const sessions = new Set<FaceSession>();
 
 /** A face on a canvas with gestures and keys, without the page's interface. */
 export class FaceSession {
   readonly host: Host;
-  #listeners;
+  #listeners: Partial<Listeners>;
   #opening;
   #files;
   /** The face and its history when last seen. */
-  #seen: { face: Face; history: string; } | undefined;
+  #seen: { face: Face; history: string } | undefined;
 
   /**
    * Opens a session on an unused canvas; throws `{code: "no-webgl", …}` if the browser cannot draw in 3D.
    *
    * @param tag next to the canvas, shows landmark names
    */
-  static async open(canvas: HTMLCanvasElement, listeners: Partial<Listeners> = {}, tag: HTMLOutputElement = make("output")) {
-    const all = { ...NO_LISTENERS, ...listeners };
+  static async open(canvas: HTMLCanvasElement, listeners: Partial<Listeners> = {}, tag = make("output")) {
     await loadWords(navigator.language);
-    return new FaceSession(await Host.open(canvas, { show: all.error, hide: all.settled }), tag, all);
+    const host = await Host.open(canvas, { show: console.error, hide: () => {}, ...listeners });
+    return new FaceSession(host, tag, listeners);
   }
 
-  constructor(host: Host, tag: HTMLOutputElement, listeners: Listeners) {
-    this.host = host;
-    this.#listeners = listeners;
-    const vision = borrowVision();
+  private constructor(host: Host, tag: HTMLOutputElement, listeners: Partial<Listeners>) {
+    [this.host, this.#listeners] = [host, listeners];
+    sessions.add(this);
     this.#opening = new Opening(Promise.resolve(host), vision, {
-      progress: listeners.progress,
+      progress: (stage, fraction) => listeners.progress?.(stage, fraction),
       opened: () => {
-        listeners.face();
+        listeners.face?.();
         host.announce();
       },
       failed: (error) => {
         throw error;
       },
-      ended: (isNewest) => isNewest && listeners.ended(),
+      ended: (isNewest) => isNewest && listeners.progress?.(),
     });
     this.#files = new FaceFiles(host, vision, this.#opening);
     new LandmarkMarks(host, { tag });
@@ -88,24 +82,25 @@ export class FaceSession {
   }
 
   /** Shows another face of the same photo. */
-  async openFace(index: number) {
-    const face = this.faces[index];
-    if (!face) throw { code: "bad-number", message: `face ${index} of ${this.faces.length}`, hint: "" };
-    await this.#opening.openFace(face);
+  async openFace(number: number) {
+    const face = this.faces[index("index", number, this.faces.length)];
+    if (face) await this.#opening.openFace(face);
   }
 
   /** Applies an intent; throws if the studio rejects it. */
-  apply(intent: Intent): Applied {
-    return this.host.attempt(intent);
+  apply(intent: Intent) {
+    return this.host.attempt(plain("intent", intent) as Intent);
   }
 
   /**
    * Exports the face.
    *
    * @param format such as "glb"
+   * @param options by id, such as `{ "base-colour": "photo" }`
    */
-  async file(format: string, options: FileOptions) {
-    const { bytes, mediaType } = await this.#files.mesh(format, { "base-colour": "whole", ...options });
+  async file(format: string, options: Record<string, string> = {}) {
+    const [id, ids] = [oneOf("format", format, this.host.catalogue.formats), choices("choices", options)];
+    const { bytes, mediaType } = await this.#files.mesh(id, { "base-colour": "whole", ...ids });
     return new Blob([bytes], { type: mediaType });
   }
 
@@ -113,7 +108,8 @@ export class FaceSession {
   close() {
     this.#opening.cancel();
     this.host.close();
-    returnVision();
+    sessions.delete(this);
+    if (sessions.size === 0) vision.end();
   }
 
   #onChange() {
@@ -122,7 +118,6 @@ export class FaceSession {
     const history = JSON.stringify(JSON.parse(face.edits ?? "{}").history);
     const isEdited = face === this.#seen?.face && history !== this.#seen.history;
     this.#seen = { face, history };
-    if (isEdited) this.#listeners.change();
-    this.#listeners.announce();
+    this.#listeners.change?.(isEdited);
   }
 }

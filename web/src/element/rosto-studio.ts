@@ -1,31 +1,35 @@
-import { init } from "../files.ts";
+import { fileUrl, init } from "../files.ts";
 import { download } from "../page/download.ts";
-import { languageFor, loadWords, setLanguage } from "../words/words.ts";
+import { scriptUrl } from "../trusted.ts";
+import { languageFor, loadWords, onLocaleChange, setLanguage } from "../words/words.ts";
 import { leadOf } from "../work/face.ts";
 import { fileName } from "../work/file-name.ts";
+import { RostoError, finite, index, oneOf, point, text } from "./checks.ts";
 import { FaceSession } from "./face-session.ts";
-import { fetchedFile, pictureIn } from "./photo-source.ts";
-import { RostoError } from "./rosto-error.ts";
+import { hasSize, onUndoKey, photoFile, untilShown } from "./host-page.ts";
 import { Stage } from "./stage.ts";
-import { stateOf, themeOf } from "./state.ts";
 import type { Tool } from "./stage.ts";
-import type { Intent } from "../../wasm/rosto-studio-web.js";
+import type { Host } from "../viewport/host.ts";
+import type { Intent, State } from "../../wasm/rosto-studio-web.js";
 
 /** Attributes that set the studio's choice of the same name. */
-const CHOICES = ["shading", "density", "lens"];
+const CHOICES = ["shading", "density", "lens"] as const;
 
 /**
  * `<rosto-studio>`: the face in a photo as a mesh that the user can rotate and reshape. The photo comes from `src` or
  * an `img` child. See docs/embed.md.
  */
 export class RostoStudio extends HTMLElement {
-  static observedAttributes = ["src", "lang", "controls", ...CHOICES];
+  static observedAttributes = ["src", "lang", "controls", "panel", ...CHOICES];
 
   #shadow = this.attachShadow({ mode: "open" });
   #stage: Stage | undefined;
   #opened: Promise<FaceSession> | undefined;
   #session: FaceSession | undefined;
+  /** Why the session did not open. */
+  #failure: RostoError | undefined;
   #teardown = new AbortController();
+  #panel: Promise<void> | undefined;
   /** URL of the photo last given by the markup. */
   #photoUrl: string | undefined;
 
@@ -34,11 +38,14 @@ export class RostoStudio extends HTMLElement {
     if (this.#opened) return;
     this.#teardown = new AbortController();
     const { signal } = this.#teardown;
-    this.#stage = new Stage(this.#shadow);
-    this.#opened = this.#open(this.#stage, signal);
-    this.#opened.then(() => this.#emit("rosto-ready"), (error) => signal.aborted || this.#fail(error));
+    const stage = new Stage(this.#shadow, (tool) => this.#use(tool));
+    this.#stage = stage;
+    this.#opened = this.#later(() => this.#open(stage, signal));
+    this.#opened.then(() => this.#emit("rosto-ready"), (error) => {
+      if (!signal.aborted) this.#failure = this.#fail(error);
+    });
     const update = () => this.#openFromMarkup();
-    this.#stage.slot.addEventListener("slotchange", update);
+    this.#shadow.addEventListener("slotchange", update, { signal });
     // An image's load and error events do not bubble.
     for (const type of ["load", "error"]) this.addEventListener(type, update, { capture: true, signal });
     update();
@@ -54,8 +61,8 @@ export class RostoStudio extends HTMLElement {
     // Initial attributes are read when the element is connected.
     if (!this.#opened) return;
     if (name === "src") this.#openFromMarkup();
-    else if (name === "lang") this.#updateLanguage();
-    else if (name === "controls") this.#showTools();
+    else if (name === "lang") this.#opened.then(() => setLanguage(languageFor(this.#language()))).catch(() => {});
+    else if (name === "controls" || name === "panel") this.#showTools();
     else if (value !== null && this.#session) this.#choose(this.#session, name, value);
   }
 
@@ -65,7 +72,7 @@ export class RostoStudio extends HTMLElement {
   }
 
   set src(url) {
-    this.setAttribute("src", url);
+    this.setAttribute("src", text("src", url));
   }
 
   /** Whether the tools are shown. */
@@ -74,12 +81,30 @@ export class RostoStudio extends HTMLElement {
   }
 
   set controls(shown) {
-    this.toggleAttribute("controls", shown);
+    this.toggleAttribute("controls", Boolean(shown));
   }
 
   /** A snapshot of the element's state. */
   get state() {
-    return stateOf(this.#session);
+    const state = this.#session?.host.read((state) => state);
+    const chosen: State["chosen"] = state?.chosen ?? {};
+    return {
+      /** to show a face */
+      ready: state !== undefined,
+      /** in the photo; 0 before a face is shown */
+      faces: this.#session?.faces.length ?? 0,
+      /** of the displayed mesh */
+      vertices: state?.vertexCount ?? 0,
+      /** in the history */
+      edits: state?.entryCount ?? 0,
+      canUndo: state?.canUndo ?? false,
+      canRedo: state?.canRedo ?? false,
+      /** landmark or vertex */
+      selected: state?.selected,
+      ...{ shading: chosen["shading"], density: chosen["density"], lens: chosen["lens"] },
+      /** value of each slider */
+      sliders_mm: state?.slidersMm ?? {},
+    };
   }
 
   /**
@@ -89,15 +114,14 @@ export class RostoStudio extends HTMLElement {
    * @param photo file or URL
    */
   async open(photo: Blob | string) {
-    const file = Promise.resolve(typeof photo === "string" ? fetchedFile(new URL(photo, this.baseURI).href) : photo);
-    file.catch(() => {});
-    const session = await this.#ready();
-    try {
-      await session.open(file);
-    } catch (error) {
-      if (this.#teardown.signal.aborted) return;
-      throw this.#fail(error);
-    }
+    await this.#later(async () => {
+      const file = photoFile(photo, this.baseURI);
+      file.catch(() => {});
+      const session = await this.#ready();
+      await session.open(file).catch((error) => {
+        if (!this.#teardown.signal.aborted) throw this.#fail(error);
+      });
+    });
   }
 
   /**
@@ -105,9 +129,8 @@ export class RostoStudio extends HTMLElement {
    *
    * @param index from 0, most prominent first
    */
-  async openFace(index: number) {
-    const session = await this.#ready();
-    await session.openFace(index).catch((error) => Promise.reject(RostoError.of(error)));
+  openFace(index: number) {
+    return this.#later(async () => (await this.#ready()).openFace(index));
   }
 
   /**
@@ -117,11 +140,13 @@ export class RostoStudio extends HTMLElement {
    * @param offset_mm to the subject's left, up, and out of the face
    */
   moveLandmark(landmark: number, offset_mm: [x_mm: number, y_mm: number, z_mm: number]) {
-    this.apply({ "select-at": landmark });
-    const [x = 0, y = 0, z = 0] = this.#session?.host.read(({ offsetMm }) => offsetMm) ?? [];
-    const [dx, dy, dz] = offset_mm;
-    this.apply({ offset: [x + dx, y + dy, z + dz] });
-    this.apply("commit");
+    this.#now(({ host }) => {
+      const vertex = index("landmark", landmark, host.catalogue.landmarks.length);
+      const [dx, dy, dz] = point("offset_mm", offset_mm);
+      host.attempt({ "select-at": vertex });
+      const [x, y, z] = host.answer((studio) => studio.state().offsetMm);
+      return [{ offset: [x + dx, y + dy, z + dz] }, "commit"];
+    });
   }
 
   /**
@@ -131,8 +156,9 @@ export class RostoStudio extends HTMLElement {
    * @param to_mm new value
    */
   setSlider(slider: string, to_mm: number) {
-    this.apply({ slide: [slider, to_mm] });
-    this.apply("commit");
+    this.#now((_, { slidersMm }) => {
+      return [{ slide: [oneOf("slider", slider, Object.keys(slidersMm)), finite("to_mm", to_mm)] }, "commit"];
+    });
   }
 
   /**
@@ -142,8 +168,9 @@ export class RostoStudio extends HTMLElement {
    * @param to weight, 0 to 1
    */
   express(expression: string, to: number) {
-    this.apply({ express: [expression, to] });
-    this.apply("commit");
+    this.#now((_, { weights }) => {
+      return [{ express: [oneOf("expression", expression, Object.keys(weights)), finite("to", to)] }, "commit"];
+    });
   }
 
   undo() {
@@ -161,14 +188,7 @@ export class RostoStudio extends HTMLElement {
 
   /** Applies any other intent, such as `{ zoom: 1.2 }`. If the studio rejects it, throws and changes nothing. */
   apply(intent: Intent) {
-    try {
-      if (!this.#session) throw new RostoError("not-ready", "the element is not ready yet; wait for rosto-ready");
-      this.#session.apply(intent);
-      // The session reports document changes only, and a choice changes the view only.
-      this.#reflectState();
-    } catch (error) {
-      throw RostoError.of(error);
-    }
+    this.#now(() => [intent]);
   }
 
   /**
@@ -181,74 +201,88 @@ export class RostoStudio extends HTMLElement {
   }
 
   /** Exports the face as glb, obj, ply, stl, 3mf, usdz or json. */
-  async getFile(format: string, choices: Record<string, string> = {}) {
+  getFile(format: string, choices?: Record<string, string>) {
+    return this.#later(async () => (await this.#ready()).file(format, choices));
+  }
+
+  /** Applies the intents that `plan` returns. */
+  #now(plan: (session: FaceSession, state: State) => Intent[]) {
     try {
-      return await (await this.#ready()).file(format, choices);
+      const session = this.#session;
+      if (!session) throw this.#notReady();
+      for (const intent of plan(session, session.host.answer((studio) => studio.state()))) session.apply(intent);
+      // The session reports document changes only, and a choice changes the view only.
+      this.#reflectState();
     } catch (error) {
       throw RostoError.of(error);
     }
   }
 
-  async #open(stage: Stage, signal: AbortSignal): Promise<FaceSession> {
+  #later<T>(act: () => Promise<T>) {
+    return act().catch((error) => Promise.reject(RostoError.of(error)));
+  }
+
+  #ready() {
+    return this.#opened ?? Promise.reject(this.#notReady());
+  }
+
+  #notReady() {
+    const inPage = hasSize(this) ? "loading; wait for rosto-ready" : "hidden, and starts once it is shown";
+    return this.#failure ?? new RostoError("not-ready", `the element is ${this.#opened ? inPage : "not on a page"}`);
+  }
+
+  async #open(stage: Stage, signal: AbortSignal) {
+    await loadWords(this.#language());
+    onLocaleChange(() => stage.translate(), signal);
     const base = this.getAttribute("base");
-    if (base !== null) init(new URL(base, this.baseURI));
-    await loadWords(this.#language()).catch((error) => Promise.reject(new RostoError("not-loaded", String(error))));
-    stage.addTools((tool) => this.#use(tool), signal);
+    if (base !== null) init(base, this.baseURI);
+    // Reports a page that forbids workers now, not when a photo needs one.
+    scriptUrl(fileUrl(new URL("./vision-worker.js", import.meta.url)));
+    await untilShown(this, signal);
     const session = await FaceSession.open(stage.canvas, {
       progress: (step, fraction) => stage.showProgress(step, fraction),
-      ended: () => stage.hideProgress(),
       face: () => this.#showFace(),
-      change: () => this.#change(),
-      announce: () => this.#reflectState(),
-      error: (thrown, owner) => this.#fail(thrown, owner),
-      settled: (owner) => stage.hideNotice(owner),
+      change: (isEdited) => this.#change(isEdited),
+      show: (thrown, owner) => this.#fail(thrown, owner),
+      hide: (owner) => stage.hideNotice(owner),
     }, stage.tag);
-    if (signal.aborted) {
-      session.close();
-      throw new RostoError("closed", "the element was removed from the page");
-    }
+    if (signal.aborted) session.close();
+    signal.throwIfAborted();
     this.#setUp(session, signal);
     return session;
   }
 
   #setUp(session: FaceSession, signal: AbortSignal) {
     this.#session = session;
-    const [reducedMotion, dark] = ["(prefers-reduced-motion: reduce)", "(prefers-color-scheme: dark)"].map((query) => matchMedia(query));
+    const [motion, dark] = [matchMedia("(prefers-reduced-motion: reduce)"), matchMedia("(prefers-color-scheme: dark)")];
     const applyPreferences = () => {
-      session.host.apply({ theme: themeOf(this) });
-      session.host.apply({ "reduced-motion": reducedMotion?.matches ?? false });
+      const scheme = getComputedStyle(this).colorScheme;
+      const isDark = scheme.includes("dark") && (!scheme.includes("light") || dark.matches);
+      session.host.apply({ theme: isDark ? "dark" : "light" });
+      session.host.apply({ "reduced-motion": motion.matches });
     };
-    for (const query of [reducedMotion, dark]) query?.addEventListener("change", applyPreferences, { signal });
+    for (const query of [motion, dark]) query.addEventListener("change", applyPreferences, { signal });
     applyPreferences();
     session.host.onRestart(async () => applyPreferences());
-    for (const name of CHOICES) {
-      const value = this.getAttribute(name);
-      if (value !== null) this.#choose(session, name, value);
-    }
-    this.addEventListener("keydown", (event) => this.#key(event), { signal });
+    for (const name of CHOICES) this.attributeChangedCallback(name, null, this.getAttribute(name));
+    onUndoKey(this.#shadow, (tool) => this.#use(tool), signal);
   }
 
   #close() {
-    this.#teardown.abort();
+    this.#teardown.abort(new RostoError("closed", "the element was removed from the page"));
     this.#session?.close();
-    [this.#session, this.#opened, this.#photoUrl] = [undefined, undefined, undefined];
+    this.#session = this.#opened = this.#failure = this.#panel = this.#photoUrl = undefined;
     this.#shadow.replaceChildren();
   }
 
-  #ready() {
-    return this.#opened ?? Promise.reject(new RostoError("not-ready", "the element is not on a page"));
-  }
-
   #openFromMarkup() {
-    const url = this.getAttribute("src") ?? pictureIn(this);
+    const image = this.querySelector("img");
+    // Once the browser has chosen its source.
+    const url = this.getAttribute("src") ?? (image?.currentSrc || (image?.complete && image.src));
     if (!url || url === this.#photoUrl) return;
     this.#photoUrl = url;
     // Errors are dispatched as rosto-error.
     this.open(url).catch(() => {});
-  }
-
-  #updateLanguage() {
-    this.#opened?.then(() => setLanguage(languageFor(this.#language()))).catch(() => {});
   }
 
   #language() {
@@ -258,52 +292,59 @@ export class RostoStudio extends HTMLElement {
   #choose(session: FaceSession, choice: string, id: string) {
     if (session.host.read(({ chosen }) => chosen[choice]) === id) return;
     try {
-      session.apply(({ [choice]: id } as Intent));
+      session.apply({ [choice]: id } as Intent);
     } catch (error) {
       this.#fail(error);
     }
   }
 
-  #key(event: KeyboardEvent) {
-    if (!(event.ctrlKey || event.metaKey) || !/^[zy]$/i.test(event.key)) return;
-    event.preventDefault();
-    this.#use(event.shiftKey || event.key.toLowerCase() === "y" ? "redo" : "undo");
-  }
-
   async #use(tool: Tool) {
-    if (tool !== "download") return this[tool]();
-    const file = await this.getGlb().catch((error) => this.#fail(error));
-    if (file instanceof Blob) download(file, fileName(this.#session?.face, "glb"), file.type);
+    try {
+      if (tool !== "download") return this[tool]();
+      const file = await this.getGlb();
+      download(file, fileName(this.#session?.face, "glb"), file.type);
+    } catch (error) {
+      this.#fail(error);
+    }
   }
 
   #showFace() {
-    if (!this.#session) return;
     this.#stage?.showFace();
     this.#showTools();
-    const { face, faces } = this.#session;
+    const { face, faces = [] } = this.#session ?? {};
     if (!face) return;
     const { landmarks, width_px, height_px } = leadOf(face);
     this.#emit("rosto-face", { landmarks, width_px, height_px, faces: faces.length, index: faces.indexOf(face) });
   }
 
-  #change() {
-    this.#stage?.hideNotice();
-    this.#emit("rosto-change", this.state);
+  #change(isEdited: boolean) {
+    if (isEdited) {
+      this.#stage?.hideNotice();
+      this.#emit("rosto-change", this.state);
+    }
+    this.#reflectState();
   }
 
   /** Reflects the studio's choices in the attributes, and enables the tools that apply. */
   #reflectState() {
     const { state } = this;
     for (const name of CHOICES) {
-      const chosen = state[(name as "shading" | "density" | "lens")];
-      if (this.hasAttribute(name) && chosen !== undefined && this.getAttribute(name) !== chosen) this.setAttribute(name, chosen);
+      const [given, chosen] = [this.getAttribute(name), state[name]];
+      if (given !== null && chosen !== undefined && given !== chosen) this.setAttribute(name, chosen);
     }
     this.#stage?.enableTools({ undo: state.canUndo, redo: state.canRedo, reset: state.edits > 0, download: true });
   }
 
   #showTools() {
+    const { face, host } = this.#session ?? {};
+    if (face && host && this.hasAttribute("panel")) this.#panel ??= this.#addPanel(host);
     const covered_px = this.#stage?.showTools(this.controls) ?? 0;
     this.#session?.host.apply({ "viewport-insets": [0, 0, covered_px * devicePixelRatio, 0] });
+  }
+
+  async #addPanel(host: Host) {
+    const { addPanel } = await import("./panel.ts");
+    if (!host.closed.aborted) addPanel(host, this.#shadow);
   }
 
   /**

@@ -37,15 +37,19 @@ export function isTyping(event: Event) {
   return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }
 
-/** Runs `action` when any button with `data-action="name"` is pressed, also a later one. */
-export function onAction(name: string, action: (event: MouseEvent) => void) {
-  document.addEventListener("click", (event) => {
+/** The page, or the shadow root of an element. */
+export type Root = Document | ShadowRoot;
+
+/** Runs `action` when any button of `root` with `data-action="name"` is pressed, also a later one. */
+export function onAction(name: string, action: (event: MouseEvent) => void, root: Root = document) {
+  root.addEventListener("click", (event) => {
     const isMeant = event.target instanceof Element && event.target.closest(`button[data-action="${name}"]`);
-    if (isMeant) action(event);
+    if (isMeant) action(event as MouseEvent);
   });
 }
 
 /** Enables the buttons of an action. */
-export function enableAction(name: string, isEnabled: boolean) {
-  for (const button of document.querySelectorAll<HTMLButtonElement>(`button[data-action="${name}"]`)) button.disabled = !isEnabled;
+export function enableAction(name: string, isEnabled: boolean, root: Root = document) {
+  const buttons = root.querySelectorAll<HTMLButtonElement>(`button[data-action="${name}"]`);
+  for (const button of buttons) button.disabled = !isEnabled;
 }

@@ -1,5 +1,8 @@
 import { scriptUrl } from "../trusted.ts";
-import type { Verdict } from "../verdict.ts";
+import type { Outcome } from "../../wasm/rosto-studio-web.js";
+
+/** The number of issues of each severity. */
+type Verdict = Exclude<Outcome, string>["validated"];
 
 /** Maximum wait before the page counts as loaded without the validator. */
 const START_TIMEOUT_MS = 60_000;

@@ -1,6 +1,6 @@
 import { isWord, t } from "../words/words.ts";
 import type { Control, Widget } from "../../wasm/rosto-studio-web.js";
-import { enableAction, make, makeIcon, onAction } from "../page/dom.ts";
+import { enableAction, make, makeIcon, onAction, type Root } from "../page/dom.ts";
 import { textOf } from "./phrase.ts";
 import { makeSlider } from "./slider.ts";
 import { domId, labelOf, type Send, type View } from "./widget.ts";
@@ -12,13 +12,16 @@ export class Panels {
   #views = new Map<string, { view: View; widget: Widget }>();
   #place;
   #send;
+  #root;
 
   /**
    * @param place adds a new section to the page
+   * @param root the page, or the shadow root with the panels
    */
-  constructor(place: (section: HTMLElement) => void, send: Send) {
+  constructor(place: (section: HTMLElement) => void, send: Send, root: Root = document) {
     this.#place = place;
     this.#send = send;
+    this.#root = root;
   }
 
   /** Shows widgets that have changed. */
@@ -65,13 +68,13 @@ export class Panels {
       case "colour":
         return makeColour(id, this.#send);
       case "button":
-        return makeButton(id, control, this.#send);
+        return makeButton(id, control, this.#send, this.#root);
       case "text":
         return makeText(id);
       case "facts":
         return makeFacts(id);
       case "slot":
-        return makeSlot(id);
+        return makeSlot(id, this.#root);
     }
   }
 
@@ -230,10 +233,10 @@ function makeColour(id: string, send: Send): View<Of<"colour">> {
 }
 
 /** Other buttons of the page with the same action, such as the toolbar's, work and are enabled like it. */
-function makeButton(id: string, { isOfPage }: Of<"button">, send: Send): View<Of<"button">> {
+function makeButton(id: string, { isOfPage }: Of<"button">, send: Send, root: Root): View<Of<"button">> {
   const element = make("button", "button small");
   [element.type, element.id, element.dataset["action"]] = ["button", domId(id), id];
-  if (!isOfPage) onAction(id, () => send({ push: id }));
+  if (!isOfPage) onAction(id, () => send({ push: id }), root);
   return {
     element,
     show: (widget) => {
@@ -241,7 +244,7 @@ function makeButton(id: string, { isOfPage }: Of<"button">, send: Send): View<Of
       const long = wordOr(`${widget.label?.key ?? id}.long`);
       if (long) [element.ariaLabel, element.title] = [long, long];
       element.disabled = !widget.isEnabled;
-      enableAction(id, widget.isEnabled);
+      enableAction(id, widget.isEnabled, root);
     },
   };
 }
@@ -275,7 +278,7 @@ function makeFacts(id: string): View<Of<"facts">> {
 }
 
 /** The element of the page that belongs there. */
-function makeSlot(id: string): View {
-  const element = document.querySelector<HTMLElement>(`[data-slot="${id}"]`) ?? make("div");
+function makeSlot(id: string, root: Root): View {
+  const element = root.querySelector<HTMLElement>(`[data-slot="${id}"]`) ?? make("div");
   return { element, show: () => {} };
 }

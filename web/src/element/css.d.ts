@@ -1,0 +1,2 @@
+/** Style sheets as texts. */
+declare module "*.css";
