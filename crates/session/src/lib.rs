@@ -49,7 +49,7 @@ pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
 pub use panel::{ChoiceLook, Control, GroupLook, Level, MAX_LISTED, PanelDiff, Part, Phrase, Tone, Widget};
 pub use range::Range;
 pub use rows::Row;
-pub use saved::{MAX_ENTRIES, MAX_SHOWN_DENSITY};
+pub use saved::MAX_SHOWN_DENSITY;
 pub use selection::{Selection, SelectionMode};
 pub use session::{BRUSH_PX, FALLOFF_BAND, Intent, Session, Value};
 pub use strokes::Strokes;
