@@ -23,6 +23,20 @@ export function projectWithoutShape(file) {
   return changedProject(file, (header) => changeObservation(header, (bytes) => bytes.fill(0, LANDMARKS_AT, LANDMARKS_AT + 468 * 3 * 4)));
 }
 
+/** Scatters the landmarks of the first photo over it. @param {{ photos: { observation: string }[] }} fields of a file */
+export function scatterLandmarks(fields) {
+  changeObservation(fields, (bytes) => {
+    for (let number = 0; number < 468 * 3; number++) {
+      bytes.writeFloatLE(((number + 1) * 0.618034) % 1, LANDMARKS_AT + 4 * number);
+    }
+  });
+}
+
+/** Replaces the history with `count` entries. @param {{ history: { entries: object[] } }} fields @param {number} count */
+export function lengthenHistory({ history }, count) {
+  history.entries = Array(count).fill({ label: "symmetry", switch: "off", symmetrise: { share: 0.5 } });
+}
+
 /** @param {{ photos: { observation: string }[] }} fields @param {(bytes: Buffer) => void} change */
 function changeObservation({ photos: [photo] }, change) {
   const bytes = Buffer.from(photo.observation, "base64");

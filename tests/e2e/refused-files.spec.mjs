@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
-import { changedProject, glbOf, partsOfGlb, projectWithoutShape, removeWidth } from "./changed-files.mjs";
+import {
+  changedProject, glbOf, lengthenHistory, partsOfGlb, projectWithoutShape, removeWidth, scatterLandmarks,
+} from "./changed-files.mjs";
 import { test } from "./fixtures.mjs";
 import { changeStorage, untilSaved } from "./storage.mjs";
 
@@ -19,6 +21,8 @@ const BAD_HEADERS = [
   ["a project of another version", ["other-version"], (header) => (header.version = 99)],
   ["no photos", ["bad-project"], (header) => delete header.photos],
   ["a width of 0", ["bad-project", "bad-face"], removeWidth],
+  ["landmarks that are not a face", ["not-a-face"], scatterLandmarks],
+  ["100 000 edits", ["too-many-edits"], (header) => lengthenHistory(header, 100_000)],
   ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["bad-project", "bad-history"], ({ history }) => change(history)]),
 ];
 
@@ -28,13 +32,15 @@ const BAD_EXTRAS = [
   ["a history of another version", ["other-version"], ({ history }) => (history.version = 99)],
   ["an empty object as history", ["damaged-glb", "bad-history"], (extras) => (extras.history = {})],
   ["a photo without width", ["damaged-glb", "bad-face"], removeWidth],
+  ["landmarks that are not a face", ["not-a-face"], scatterLandmarks],
+  ["100 000 edits", ["too-many-edits"], (extras) => lengthenHistory(extras, 100_000)],
   ...Object.entries(BAD_HISTORIES).map(([name, change]) => [name, ["damaged-glb", "bad-history"], ({ history }) => change(history)]),
 ];
 
 test("a project that cannot be opened leaves the face, its history and the saved work unchanged", async ({ editor }) => {
   const project = await editAndSave(editor, "save-project");
   const bad = BAD_HEADERS.map(([name, codes, change]) => ({ name, codes, file: changedProject(project, (header) => void change(header)) }));
-  bad.push({ name: "a face without a shape", codes: ["bad-face", "bad-project"], file: projectWithoutShape(project) });
+  bad.push({ name: "a face without a shape", codes: ["not-a-face"], file: projectWithoutShape(project) });
   await expectRefused(editor, bad, "face.rosto");
 });
 

@@ -1,7 +1,7 @@
 //! The face and its edits as JSON, shared by GLB and project files.
 
 use base64::prelude::{BASE64_STANDARD, Engine};
-use rosto_face::{FaceModel, MAX_DENSITY, MAX_PHOTOS, Observation, Photo, Triangulation, View};
+use rosto_face::{FaceError, FaceModel, MAX_DENSITY, MAX_PHOTOS, Observation, Photo, Triangulation, View};
 use serde_json::{Value, json};
 
 use crate::placed::{PlacedPicture, painted, placement};
@@ -167,8 +167,11 @@ fn read_photos(
     photos: &Value,
     photo: impl Fn(&Value) -> Result<Observation, ReopenError>,
 ) -> Result<Vec<Observation>, ReopenError> {
-    let photos = photos.as_array().filter(|photos| (1..=MAX_PHOTOS).contains(&photos.len()));
-    photos.ok_or_else(field("photos"))?.iter().map(photo).collect()
+    let photos = photos.as_array().ok_or_else(field("photos"))?;
+    if !(1..=MAX_PHOTOS).contains(&photos.len()) {
+        return Err(FaceError::PhotoCount { found: photos.len(), most: MAX_PHOTOS }.into());
+    }
+    photos.iter().map(photo).collect()
 }
 
 fn read_edits(fields: &Value) -> Result<SavedEdits, ReopenError> {

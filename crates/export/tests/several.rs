@@ -7,7 +7,7 @@ mod common;
 use common::{SIDE, edits, gradient, model, rebuilt};
 use glam::{DQuat, DVec3};
 use rosto_export::*;
-use rosto_face::{FaceModel, LANDMARK_COUNT, Observation, Photo, PhotoLens, Triangulation, canonical_positions_m};
+use rosto_face::{FaceError, FaceModel, LANDMARK_COUNT, MAX_PHOTOS, Observation, Photo, PhotoLens, Triangulation, canonical_positions_m};
 
 const EDITS: &str = r#"{"entries":[],"version":1}"#;
 
@@ -101,23 +101,26 @@ fn texts_give_the_same_face_without_pictures() {
     assert_eq!((read.photos_json(), read.edits), (photos.clone(), saved.edits));
     assert!(read.photos.iter().all(|photo| photo.picture.is_none()));
     assert_eq!(SavedFace::from_json(&photos, None).unwrap().edits, None);
-    assert_eq!(SavedFace::from_json("[]", None), Err(ReopenError::Field { field: "photos" }));
+    assert_eq!(SavedFace::from_json("[]", None), Err(FaceError::PhotoCount { found: 0, most: MAX_PHOTOS }.into()));
+    assert_eq!(SavedFace::from_json("{}", None), Err(ReopenError::Field { field: "photos" }));
     assert_eq!(SavedFace::from_json("[", None), Err(ReopenError::NotJson));
 }
 
 #[test]
-fn invalid_fields_of_photos_are_named() {
+fn invalid_fields_of_photos_are_refused() {
     let file = project_of(&several(&[0.0, 30.0]));
-    let refused = |from: &str, to: &str, field: &'static str| {
+    let refused = |from: &str, to: &str, reason: ReopenError| {
         let line = file.iter().position(|byte| *byte == b'\n').unwrap();
         let header = String::from_utf8(file[..line].to_vec()).unwrap();
         let changed = header.replace(from, to);
         assert_ne!(changed, header);
         let changed = [changed.as_bytes(), &file[line..]].concat();
-        assert_eq!(project::read(&changed).unwrap_err(), ReopenError::Field { field });
+        assert_eq!(project::read(&changed).unwrap_err(), reason);
     };
-    refused("\"photos\":[", "\"photos\":[],\"none\":[", "photos");
-    refused("\"photos\":[", "\"photos\":[{},{},{},{},{},", "photos");
-    refused("\"observation\":\"", "\"observation\":\"*", "observation");
-    refused("\"jpeg\":", "\"gif\":", "picture");
+    let counted = |found| FaceError::PhotoCount { found, most: MAX_PHOTOS }.into();
+    refused("\"photos\":[", "\"photos\":[],\"none\":[", counted(0));
+    refused("\"photos\":[", "\"photos\":[{},{},{},{},{},", counted(7));
+    let named = |field| ReopenError::Field { field };
+    refused("\"observation\":\"", "\"observation\":\"*", named("observation"));
+    refused("\"jpeg\":", "\"gif\":", named("picture"));
 }

@@ -23,6 +23,25 @@ pub enum FaceError {
     /// A landmark is far outside the picture, or the face is smaller than a pixel.
     #[error("the landmarks do not form a face: they are far outside the picture, or within less than a pixel")]
     Implausible,
+    /// The landmarks are too far from those of any face.
+    #[error("the landmarks are not a face: they deviate from the average face by {deviation_mm:.0} mm, and the limit is {most_mm} mm")]
+    NotAFace {
+        /// Root mean square distance from the canonical face, in mm of its size.
+        deviation_mm: f64,
+        /// Limit of that distance.
+        most_mm: f64,
+    },
+    /// The surface through the landmarks is folded.
+    #[error(
+        "the landmarks are not a face: {inside_out_per_cent:.0} % of their surface is inside out, and the limit is \
+        {most_per_cent} %"
+    )]
+    Folded {
+        /// Share of the surface that faces backwards, in per cent.
+        inside_out_per_cent: f64,
+        /// Limit of that share.
+        most_per_cent: f64,
+    },
     /// The bytes of an observation have another version.
     #[error("the stored face has version {found}, but this Rosto reads only version {known}")]
     RecordVersion {

@@ -15,6 +15,7 @@ mod names;
 mod observation;
 mod openings;
 mod photo_lens;
+mod plausibility;
 mod procrustes;
 mod regions;
 mod size;

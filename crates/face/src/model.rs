@@ -16,6 +16,7 @@ use fitting::Fitted;
 pub use joint_fit::{LeftOut, Reprojection, depth_bias_m};
 use observed::check_count;
 pub use observed::check_landmarks;
+pub(crate) use observed::{fit_canonical_to, in_px};
 pub use pose_fit::PoseFit;
 pub use views::{MAX_PHOTOS, View};
 

@@ -1,7 +1,7 @@
 use rosto_photo::Photo;
 
 use crate::irises::POINT_COUNT;
-use crate::{FaceError, LANDMARK_COUNT, PhotoLens, check_landmarks};
+use crate::{FaceError, LANDMARK_COUNT, PhotoLens, check_landmarks, plausibility};
 
 /// A face found in one photo: all that a model is built from, and all that files, the database and the worker's answers
 /// store of it.
@@ -64,8 +64,9 @@ impl Observation {
     /// Checks counts, lenses, and that the landmarks form a face.
     ///
     /// # Errors
-    /// [`FaceError`] as of [`FaceModel::new`](crate::FaceModel::new), and [`FaceError::Implausible`] if a coordinate is
-    /// far outside the photo or the face is smaller than a pixel.
+    /// [`FaceError`] as of [`FaceModel::new`](crate::FaceModel::new), [`FaceError::Implausible`] if a coordinate is far
+    /// outside the photo or the face is smaller than a pixel, and [`FaceError::NotAFace`] or [`FaceError::Folded`] if
+    /// the landmarks cannot be those of a face.
     pub fn checked(self) -> Result<Self, FaceError> {
         let [width, height] = self.photo_size_px;
         check_landmarks(&self.landmarks, width, height)?;
@@ -77,6 +78,7 @@ impl Observation {
         if !is_near || extent(&self.landmarks) < MIN_EXTENT {
             return Err(FaceError::Implausible);
         }
+        plausibility::check(&self.landmarks, self.photo_size_px)?;
         self.found_lens.checked()?;
         self.lens.checked()?;
         Ok(self)

@@ -20,12 +20,23 @@ fn lens() -> impl Strategy<Value = PhotoLens> {
 
 prop_compose! {
     fn observation()(count in prop_oneof![Just(LANDMARK_COUNT), Just(WITH_IRISES)])(
-        landmarks in prop::collection::vec(prop::array::uniform3(-300.0f32..=300.0), count),
-        photo_size_px in prop::array::uniform2(1u32..),
+        noise_m in prop::collection::vec(prop::array::uniform3(-0.002..=0.002), count),
+        at in prop::array::uniform2(-3.0..=3.0),
+        turn in 0.0..std::f64::consts::TAU,
+        faces_per_width in 0.1..=100.0,
+        photo_size_px in prop::array::uniform2(100u32..=10_000),
         colours_srgb in prop::collection::vec(any::<[u8; 3]>(), LANDMARK_COUNT),
         found_lens in lens(),
         lens in lens(),
     ) -> Observation {
+        let canonical_m = canonical_positions_m();
+        let aspect = f64::from(photo_size_px[0]) / f64::from(photo_size_px[1]);
+        let landmarks = noise_m.into_iter().enumerate().map(|(index, noise_m)| {
+            let known_m = canonical_m[index.min(LANDMARK_COUNT - 1)] + glam::DVec3::from(noise_m);
+            let glam::DVec3 { x, y, z } = glam::DMat3::from_rotation_z(turn) * known_m / faces_per_width;
+            [at[0] + x, (at[1] - y) * aspect, -z].map(|at| at as f32)
+        });
+        let landmarks = landmarks.collect();
         Observation { landmarks, photo_size_px, colours_srgb, found_lens, lens, picture: None }
     }
 }
@@ -105,7 +116,48 @@ fn implausible_landmarks_are_refused() {
     assert_eq!(refused(|of| of.landmarks.fill([0.5; 3])), FaceError::Degenerate);
     let shrunk = |of: &mut Observation| of.landmarks.as_flattened_mut().iter_mut().for_each(|number| *number *= 1e-7);
     assert_eq!(refused(shrunk), FaceError::Implausible);
+    let far = |of: &mut Observation| of.landmarks[7][1] = 200.0;
+    assert!(matches!(refused(far), FaceError::NotAFace { deviation_mm, .. } if deviation_mm > 1000.0));
     assert_eq!(refused(|of| of.photo_size_px = [0, 300]), FaceError::EmptyPicture { width: 0, height: 300 });
+}
+
+/// A deterministic number in -0.5..0.5.
+fn hashed(index: usize) -> f32 {
+    ((index as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40) as f32 / (1 << 24) as f32 - 0.5
+}
+
+#[test]
+fn landmarks_that_cannot_be_a_face_are_refused() {
+    let refused = |landmark: &dyn Fn(usize, [f32; 3]) -> [f32; 3]| {
+        let mut observation = canonical();
+        let changed = observation.landmarks.iter().enumerate().map(|(index, &at)| landmark(index, at));
+        observation.landmarks = changed.collect();
+        observation.checked().unwrap_err()
+    };
+    let random = |index: usize, _| [0, 1, 2].map(|axis| 0.5 + hashed(3 * index + axis));
+    let shuffled = |index: usize, _| canonical().landmarks[(index * 101) % LANDMARK_COUNT];
+    let mirrored = |_, [x, y, z]: [f32; 3]| [1.0 - x, y, z];
+    let inside_out = |_, [x, y, z]: [f32; 3]| [x, y, -z];
+    let collapsed = |index: usize, [x, y, z]: [f32; 3]| if index % 2 == 0 { [x, y, z] } else { [0.5, 0.5, 0.0] };
+    for change in [&random as &dyn Fn(usize, [f32; 3]) -> [f32; 3], &shuffled, &mirrored, &inside_out, &collapsed] {
+        let refusal = refused(change);
+        assert!(matches!(refusal, FaceError::NotAFace { .. }), "{refusal}");
+    }
+    let rough = |index: usize, at: [f32; 3]| [0, 1, 2].map(|axis| at[axis] + 0.15 * hashed(3 * index + axis));
+    let refusal = refused(&rough);
+    assert!(matches!(refusal, FaceError::Folded { inside_out_per_cent, .. } if inside_out_per_cent > 25.0), "{refusal}");
+}
+
+/// A margin of three: real faces deviate by up to 9 mm.
+#[test]
+fn strange_faces_are_accepted() {
+    for (width, height, depth) in [(2.0, 1.0, 1.0), (1.0, 2.0, 1.0), (1.0, 1.0, 2.0), (1.0, 1.0, 0.1), (0.6, 1.0, 1.0)] {
+        let mut observation = canonical();
+        for [x, y, z] in &mut observation.landmarks {
+            [*x, *y, *z] = [0.5 + (*x - 0.5) * width, 0.5 + (*y - 0.5) * height, *z * depth];
+        }
+        assert_eq!(observation.clone().checked(), Ok(observation), "{width} {height} {depth}");
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //!
 //! Adjacent numbers are then channels, which undergo the same operations at any picture size. A border only omits taps,
 //! and a 1 × 1 convolution is a matrix product with one row per pixel. The code is portable: the compiler vectorises
-//! loops over arrays of fixed length, for the widest instructions of the machine (`vectors`).
+//! loops over arrays of fixed length, for the widest instructions of the machine ([`widest`]).
 
 mod activation;
 mod convolution;
@@ -12,7 +12,6 @@ mod pooling;
 mod rearrange;
 #[cfg(test)]
 mod reference_tests;
-mod vectors;
 mod window;
 
 use std::fmt;
@@ -26,7 +25,7 @@ pub(crate) use dense::Dense;
 pub(crate) use depthwise::Depthwise;
 pub(crate) use pooling::{MaxPool, Sum};
 pub(crate) use rearrange::{Concat, Pad, Permute, Reshape};
-pub(crate) use vectors::widest;
+pub(crate) use rosto_photo::widest;
 pub(crate) use window::Window;
 
 /// A layer of a network.

@@ -38,6 +38,11 @@ impl Response {
         &self.fields[index * n..(index + 1) * n]
     }
 
+    /// Memory size of the fields, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(self.fields.as_slice())
+    }
+
     /// Writes `X' = X + Σ g Δᵀ` to `out`: `rest` displaced by one offset per handle, all in one unit.
     ///
     /// Runs on each tick of a slider, without a solve or an allocation.

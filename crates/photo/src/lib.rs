@@ -23,6 +23,7 @@ mod primaries;
 mod resize;
 mod sampler;
 mod stored;
+mod vectors;
 mod webp;
 
 pub use decode::decode;
@@ -30,6 +31,7 @@ pub use error::PhotoError;
 pub use limits::Limits;
 pub use photo::Photo;
 pub use sampler::Sampler;
+pub use vectors::widest;
 
 /// Runs the README's examples as doc-tests.
 #[cfg(doctest)]

@@ -46,6 +46,14 @@ pub enum Error {
         /// The missing or invalid field.
         field: &'static str,
     },
+    /// The photo edit has too many dabs.
+    #[error("{found} dabs protect the photo; the maximum is {max}")]
+    TooManyDabs {
+        /// Number of dabs, with empty strokes.
+        found: usize,
+        /// Highest number.
+        max: usize,
+    },
     /// The photo to be drawn is not the lead photo of the face.
     #[error("the photo is {}×{} px, which is not the shape of the face's photo of {}×{} px", found_px[0], found_px[1], face_px[0], face_px[1])]
     OtherPhoto {

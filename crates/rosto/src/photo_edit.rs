@@ -28,7 +28,7 @@ impl PhotoEdit {
     /// Reads the result of [`Self::to_json`].
     ///
     /// # Errors
-    /// [`Error::PhotoEdit`] for a missing or invalid field.
+    /// [`Error::PhotoEdit`] for a missing or invalid field, [`Error::TooManyDabs`] for more than [`MAX_DABS`].
     pub fn from_json(text: &str) -> Result<Self, Error> {
         let invalid = |field| Error::PhotoEdit { field };
         let value: Value = serde_json::from_str(text).map_err(|_| invalid("JSON"))?;
@@ -38,8 +38,8 @@ impl PhotoEdit {
         };
         let strokes = value["protected_px"].as_array().and_then(|strokes| strokes.iter().map(stroke).collect());
         let strokes: Vec<Vec<Dab>> = strokes.ok_or(invalid("protected_px"))?;
-        match strokes.iter().map(Vec::len).sum::<usize>() {
-            count if count > MAX_DABS => Err(invalid("protected_px")),
+        match strokes.iter().map(|stroke| stroke.len().max(1)).sum::<usize>() {
+            found if found > MAX_DABS => Err(Error::TooManyDabs { found, max: MAX_DABS }),
             _ => Ok(Self { seen_from_m, strokes }),
         }
     }

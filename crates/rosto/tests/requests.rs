@@ -157,3 +157,13 @@ fn photo_edits_read_back_and_invalid_ones_are_named() {
     assert_eq!(field(r#"{"protected_px":[[[1,2,0]]],"seen_from_m":null}"#), "protected_px");
     assert_eq!(field(r#"{"protected_px":[[[1,2]]],"seen_from_m":null}"#), "protected_px");
 }
+
+#[test]
+fn a_photo_edit_with_too_many_dabs_is_refused() {
+    let with = |stroke: &str, count| format!(r#"{{"protected_px":[{}]}}"#, vec![stroke; count].join(","));
+    assert_eq!(PhotoEdit::from_json(&with("[[1,2,3]]", MAX_DABS)).unwrap().strokes.len(), MAX_DABS);
+    for stroke in ["[[1,2,3]]", "[]"] {
+        let refused = PhotoEdit::from_json(&with(stroke, MAX_DABS + 1)).unwrap_err();
+        assert!(matches!(refused, Error::TooManyDabs { found, max: MAX_DABS } if found == MAX_DABS + 1), "{refused}");
+    }
+}

@@ -47,14 +47,6 @@ pub enum SessionError {
         /// Upper end of the range.
         max: f64,
     },
-    /// A history exceeds the maximum length.
-    #[error("the history has {found} entries; the maximum is {max}")]
-    TooManyEntries {
-        /// Number of entries.
-        found: usize,
-        /// Maximum number of entries.
-        max: usize,
-    },
     /// An entry of a history exceeds the maximum offset.
     #[error("entry {entry} of the history moves a vertex by {distance_m} m; the maximum is {most_m} m")]
     BadHistory {

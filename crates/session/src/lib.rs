@@ -51,7 +51,7 @@ pub use panel::{
 };
 pub use range::Range;
 pub use rows::Row;
-pub use saved::{MAX_ENTRIES, MAX_SHOWN_DENSITY};
+pub use saved::MAX_SHOWN_DENSITY;
 pub use selection::{Selection, SelectionMode};
 pub use session::{BRUSH_PX, FALLOFF_BAND, Intent, Session, Value};
 pub use strokes::Strokes;

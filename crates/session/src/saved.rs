@@ -8,9 +8,6 @@ use crate::open_face::{MAX_OFFSET_M, OpenFace};
 /// Highest density on the screen; files can have up to [`MAX_DENSITY`].
 pub const MAX_SHOWN_DENSITY: u32 = 3;
 
-/// Maximum length of a history.
-pub const MAX_ENTRIES: usize = 100_000;
-
 /// Builds the face and applies its edits. `defaults` holds the triangulation and density of a face without earlier edits.
 pub(crate) fn opened(saved: SavedFace, defaults: (Triangulation, u32)) -> Result<OpenFace, SessionError> {
     let ((triangulation, density), entries, photo) = match &saved.edits {
@@ -32,9 +29,6 @@ fn mesh_of(edits: &SavedEdits) -> Result<(Triangulation, u32), SessionError> {
 
 fn entries(edits: &SavedEdits) -> Result<Vec<Entry>, SessionError> {
     let entries = edits.history.as_deref().map(project::from_json).transpose()?.unwrap_or_default();
-    if entries.len() > MAX_ENTRIES {
-        return Err(SessionError::TooManyEntries { found: entries.len(), max: MAX_ENTRIES });
-    }
     entries.iter().map(|entry| entry.command.amount()).enumerate().try_for_each(check_amount)?;
     Ok(entries)
 }

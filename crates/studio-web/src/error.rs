@@ -13,8 +13,8 @@ const TYPES: &str = r#"
 export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
-    | "another-face" | "too-many-photos"
-    | "cannot-solve" | "bad-history" | "other-version"
+    | "not-a-face" | "another-face" | "too-many-photos"
+    | "cannot-solve" | "bad-history" | "too-many-edits" | "other-version"
     | "not-drawn" | "no-memory" | "internal";
 /** A thrown error: `message` says what failed and `hint` what to do. */
 export interface StudioError extends Error { code: StudioErrorCode; hint: string }
@@ -23,6 +23,10 @@ export interface StudioError extends Error { code: StudioErrorCode; hint: string
 /// Code and hint of a file or history of another version.
 const OTHER_VERSION: (&str, &str) =
     ("other-version", "Reload the page to get its newest version, or open the photo instead.");
+
+/// Code and hint of a history that is too long or takes too long.
+const TOO_MANY_EDITS: (&str, &str) =
+    ("too-many-edits", "Undo some of the edits, or open an earlier copy of the file.");
 
 /// The types of numbers in messages; serde's error about one ends with its type.
 const NUMBERS: &str = "f64, u32, usize, u8";
@@ -119,7 +123,7 @@ impl From<SessionError> for FacadeError {
             SessionError::NoSuchWidget { .. } => ("bad-choice", "Use the id of a widget, and a value of its type."),
             SessionError::NoSuchPhoto { .. } => ("bad-number", "Choose an existing photo."),
             SessionError::OutOfRange { .. } => ("bad-number", "Enter a number in this range."),
-            SessionError::TooManyEntries { .. } | SessionError::BadHistory { .. } | SessionError::PhotoEdit(_) => {
+            SessionError::BadHistory { .. } | SessionError::PhotoEdit(_) => {
                 ("bad-history", "Open an earlier copy of the file, or the photo.")
             }
             SessionError::Preferences { .. } => ("bad-choice", "Choose the settings again."),
@@ -136,6 +140,9 @@ impl From<FaceError> for FacadeError {
     fn from(error: FaceError) -> Self {
         let (code, hint) = match error {
             FaceError::AnotherFace { .. } => ("another-face", "Choose another photo of the same face."),
+            FaceError::Implausible | FaceError::NotAFace { .. } | FaceError::Folded { .. } => {
+                ("not-a-face", "The file was damaged or changed. Open the photo instead.")
+            }
             FaceError::PhotoCount { .. } => ("too-many-photos", "Remove another photo first."),
             _ => ("bad-face", "Try a photo in which the face is larger and looks towards the camera."),
         };
@@ -147,6 +154,9 @@ impl From<StudioError> for FacadeError {
     fn from(error: StudioError) -> Self {
         let message = error.to_string();
         match error {
+            StudioError::TooManyEntries { .. } | StudioError::TooMuchWork { .. } => {
+                Self::new(TOO_MANY_EDITS.0, message, TOO_MANY_EDITS.1)
+            }
             StudioError::Entry { .. } | StudioError::TooDense { .. } => {
                 Self::new("bad-history", message, "Open an earlier copy of the file, or the photo.")
             }
@@ -160,6 +170,7 @@ impl From<ProjectError> for FacadeError {
     fn from(error: ProjectError) -> Self {
         let (code, hint) = match error {
             ProjectError::Version { .. } => OTHER_VERSION,
+            ProjectError::TooManyEntries { .. } => TOO_MANY_EDITS,
             _ => ("bad-history", "Open an earlier copy of the file, or the photo."),
         };
         Self::new(code, error.to_string(), hint)

@@ -1,10 +1,14 @@
 mod checks;
 mod editing;
+mod limits;
 mod past;
 mod points;
 mod replay_cache;
 mod retriangulate;
+mod solved;
 mod state;
+
+use std::sync::Arc;
 
 use glam::DVec3;
 use rosto_face::SplitFace;
@@ -16,9 +20,11 @@ use crate::fault::Fault;
 use crate::level::{Level, Rest};
 use crate::level_positions::LevelPositions;
 use crate::prepared_edit::PreparedEdit;
+use crate::shape::Shape;
 use crate::{Entry, EntryStatus, Expression, History, InfluenceWeights, StudioError};
 pub use checks::SMOOTH_DENSITY;
 use editing::Preview;
+pub use limits::{MAX_ENTRIES, MAX_LABEL_CHARS};
 use replay_cache::ReplayCache;
 pub use state::DocumentState;
 
@@ -35,6 +41,8 @@ pub struct Document {
     density: u32,
     history: History,
     replayed: ReplayCache,
+    /// Positions after the last entry.
+    committed: Arc<LevelPositions>,
     prepared: Option<PreparedEdit>,
     /// Influence of the prepared edit.
     influence: Option<InfluenceWeights>,
@@ -50,11 +58,11 @@ impl Document {
     pub fn new(rest: Rest) -> Result<Self, StudioError> {
         let mut levels = vec![Level::new(rest)];
         levels[0].system(rosto_laplacian::Operator::default())?;
-        let unedited = LevelPositions::at_rest(&levels);
-        let preview = Preview::none(&unedited);
+        let unedited = Shape::at_rest(&levels);
+        let (preview, committed) = (Preview::none(&unedited, &levels), Arc::new(unedited.positions(&levels)));
         let (history, replayed) = (History::default(), ReplayCache::new(unedited));
-        let fault = Fault::default();
-        Ok(Self { levels, density: 0, history, replayed, prepared: None, influence: None, preview, fault })
+        let (prepared, influence, fault) = (None, None, Fault::default());
+        Ok(Self { levels, density: 0, history, replayed, committed, prepared, influence, preview, fault })
     }
 
     /// Creates a document from the entries of a project file; see [`crate::project`]. Each entry can be undone.
@@ -69,7 +77,8 @@ impl Document {
     ///
     /// # Errors
     /// [`StudioError::Entry`] for the first entry that cannot be applied to this mesh. Entries that are off or wait for
-    /// a denser mesh are only validated. [`StudioError::TooDense`] if `density` is too high.
+    /// a denser mesh are only validated. [`StudioError::TooManyEntries`] or [`StudioError::TooMuchWork`] if the entries
+    /// exceed a limit, and [`StudioError::TooDense`] if `density` is too high.
     pub fn open(rest: Rest, entries: Vec<Entry>, density: u32) -> Result<Self, StudioError> {
         let mut document = Self::new(rest)?;
         document.set_density(density)?;
@@ -77,6 +86,7 @@ impl Document {
         for (index, entry) in entries.iter().enumerate() {
             document.check(entry).map_err(|reason| refused((index, reason)))?;
         }
+        document.check_all(&entries)?;
         document.history = History::of_entries(entries);
         document.replay_from(0);
         let impossible = |index| match document.status(index) {
@@ -118,12 +128,12 @@ impl Document {
 
     /// Positions of the displayed mesh after the last entry, without the edit in progress.
     pub fn committed(&self) -> &[DVec3] {
-        self.replayed.last().densest()
+        self.committed.densest()
     }
 
     /// Positions of the cage's vertices (the landmarks) after the last entry, at any density.
     pub fn cage(&self) -> &[DVec3] {
-        self.replayed.last().at(0)
+        self.committed.at(0)
     }
 
     /// Distance along the surface between two vertices of the displayed mesh, after the last entry, by the heat method.
@@ -158,8 +168,8 @@ impl Document {
         self.release();
         self.subdivide_to(density);
         self.density = density;
-        let unedited = LevelPositions::at_rest(&self.levels[..=density as usize]);
-        self.preview = Preview::none(&unedited);
+        let unedited = Shape::at_rest(&self.levels[..=density as usize]);
+        self.preview = Preview::none(&unedited, &self.levels);
         self.replayed = ReplayCache::new(unedited);
         self.replay_from(0);
         Ok(())

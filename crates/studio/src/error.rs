@@ -78,6 +78,38 @@ pub enum StudioError {
         /// The highest number on this mesh.
         max: usize,
     },
+    /// The history has too many entries.
+    #[error("the history has {found} entries; the maximum is {max}")]
+    TooManyEntries {
+        /// Number of entries.
+        found: usize,
+        /// Highest number of entries.
+        max: usize,
+    },
+    /// A label is too long.
+    #[error("the label has {found} characters; the maximum is {max}")]
+    LabelTooLong {
+        /// Number of characters.
+        found: usize,
+        /// Highest number of characters.
+        max: usize,
+    },
+    /// There are more anchors than vertices.
+    #[error("{anchors} anchors on a mesh of {vertex_count} vertices")]
+    TooManyAnchors {
+        /// Number of anchors given.
+        anchors: usize,
+        /// Number of vertices of the mesh.
+        vertex_count: usize,
+    },
+    /// Replaying the history would take too long.
+    #[error("the history needs {work} displacements of vertices; the maximum is {max}")]
+    TooMuchWork {
+        /// Displacements of vertices, with solves in the same unit.
+        work: u64,
+        /// Highest number of displacements.
+        max: u64,
+    },
     /// An entry of a file has no solution.
     #[error("entry {index} of the history: {reason}")]
     Entry {

@@ -22,14 +22,16 @@ mod photo_warp;
 mod prepared_edit;
 pub mod project;
 mod rig;
+mod shape;
 mod sliders;
+mod spec_key;
 mod stream_warp;
 mod target;
 mod vertex_colours;
 mod whole_texture;
 
 pub use command::{AnchorKind, Anchors, Command, Details, EditSpec, Mirror, RegionOfInfluence, Settings};
-pub use document::{Document, DocumentState, SMOOTH_DENSITY};
+pub use document::{Document, DocumentState, MAX_ENTRIES, MAX_LABEL_CHARS, SMOOTH_DENSITY};
 pub use error::StudioError;
 pub use expressions::{Expression, Expressions};
 pub use fading::fading;

@@ -1,3 +1,5 @@
+use std::collections::HashSet;
+
 use glam::DVec3;
 use rosto_mesh::Topology;
 
@@ -36,13 +38,9 @@ impl MirrorTable {
 
     /// `vertices` in order, then the partners that are not among them, without repeats.
     pub(crate) fn closure(&self, vertices: &[u32]) -> Vec<u32> {
-        let mut closed = Vec::with_capacity(vertices.len() * 2);
-        for vertex in vertices.iter().copied().chain(vertices.iter().map(|&vertex| self.partner(vertex))) {
-            if !closed.contains(&vertex) {
-                closed.push(vertex);
-            }
-        }
-        closed
+        let mut seen = HashSet::with_capacity(vertices.len() * 2);
+        let all = vertices.iter().copied().chain(vertices.iter().map(|&vertex| self.partner(vertex)));
+        all.filter(|&vertex| seen.insert(vertex)).collect()
     }
 
     /// Replaces each value with the minimum of it and its partner's.

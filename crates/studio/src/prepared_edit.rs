@@ -30,7 +30,7 @@ pub(crate) struct PreparedEdit {
 }
 
 impl PreparedEdit {
-    /// Solves for the responses; `from` are the positions that the edit starts from.
+    /// Solves for the responses; `from` are the positions that an edit that turns details starts from.
     pub(crate) fn new(spec: EditSpec, level: &mut Level, from: &[DVec3]) -> Result<Self, StudioError> {
         let handles = with_partners(&spec, &spec.handles, level)?;
         let (falloff, influence_distances) = falloff(&spec, &handles, level)?.unzip();
@@ -64,6 +64,12 @@ impl PreparedEdit {
     /// Whether details rotate, so that the edit depends on the positions that it starts from.
     pub(crate) fn turns_details(&self) -> bool {
         self.rigid.is_some()
+    }
+
+    /// Memory size of the responses, in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        let distances = self.influence_distances.as_ref().map_or(0, Vec::len);
+        self.response.bytes() + distances * size_of::<f64>()
     }
 
     pub(crate) fn spec(&self) -> &EditSpec {

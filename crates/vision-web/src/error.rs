@@ -14,6 +14,8 @@ pub(crate) type Result<T> = std::result::Result<T, Error>;
 const ANOTHER_VERSION: &str = "other-version";
 const ANOTHER_VERSION_HINT: &str = "Reload the page to get its newest version, or open the photo instead.";
 
+const NOT_A_FACE: (&str, &str) = ("not-a-face", "The file was damaged or changed. Open the photo instead.");
+
 /// Converts an error of the photo.
 pub(crate) fn of_photo(error: PhotoError) -> Error {
     let code = match error {
@@ -39,7 +41,8 @@ pub(crate) fn of_landmarks(error: LandmarksError) -> Error {
 
 /// Converts an error of a GLB that cannot be reopened.
 pub(crate) fn of_glb(error: ReopenError) -> Error {
-    let (code, hint) = match error {
+    let (code, hint) = match &error {
+        ReopenError::Face(error) if is_not_a_face(error) => NOT_A_FACE,
         ReopenError::Foreign => ("foreign-glb", "Open a GLB that Rosto wrote, or a photo."),
         _ if is_another_version(&error) => (ANOTHER_VERSION, ANOTHER_VERSION_HINT),
         _ => ("damaged-glb", "Copy or download the file again, or open the photo."),
@@ -49,11 +52,17 @@ pub(crate) fn of_glb(error: ReopenError) -> Error {
 
 /// Converts an error of a project file that cannot be opened.
 pub(crate) fn of_project(error: ReopenError) -> Error {
-    let (code, hint) = match is_another_version(&error) {
-        true => (ANOTHER_VERSION, ANOTHER_VERSION_HINT),
-        false => ("bad-project", "The file may be incomplete. Open the photo instead."),
+    let (code, hint) = match &error {
+        ReopenError::Face(error) if is_not_a_face(error) => NOT_A_FACE,
+        _ if is_another_version(&error) => (ANOTHER_VERSION, ANOTHER_VERSION_HINT),
+        _ => ("bad-project", "The file may be incomplete. Open the photo instead."),
     };
     thrown(code, &error.to_string(), hint)
+}
+
+fn is_not_a_face(error: &FaceError) -> bool {
+    use FaceError::{Degenerate, Folded, Implausible, NotAFace, NotFinite};
+    matches!(error, Degenerate | Folded { .. } | Implausible | NotAFace { .. } | NotFinite { .. })
 }
 
 fn is_another_version(error: &ReopenError) -> bool {

@@ -27,7 +27,7 @@ pub(super) fn px_from_image([width, height]: [u32; 2]) -> DAffine3 {
 }
 
 /// 468 or 478 landmarks in px, y up, z towards the camera, with a mean depth of 0 over the 468.
-pub(super) fn in_px(landmarks: &[[f32; 3]], [width, height]: [u32; 2]) -> Result<Vec<DVec3>, FaceError> {
+pub(crate) fn in_px(landmarks: &[[f32; 3]], [width, height]: [u32; 2]) -> Result<Vec<DVec3>, FaceError> {
     if landmarks.len() != POINT_COUNT {
         check_count("landmarks", LANDMARK_COUNT, landmarks.len())?;
     }
@@ -45,7 +45,7 @@ pub(super) fn in_px(landmarks: &[[f32; 3]], [width, height]: [u32; 2]) -> Result
     Ok(px)
 }
 
-pub(super) fn fit_canonical_to(px: &[DVec3]) -> Result<Similarity, FaceError> {
+pub(crate) fn fit_canonical_to(px: &[DVec3]) -> Result<Similarity, FaceError> {
     fit_to(&canonical_positions_m(), px)
 }
 

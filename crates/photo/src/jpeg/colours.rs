@@ -1,5 +1,7 @@
 //! Colour spaces of JPEG components (JFIF 1.02; Adobe Technical Note 5116) and their conversion to RGB.
 
+use crate::widest;
+
 /// Colour space of the components.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Colours {
@@ -29,6 +31,14 @@ impl Colours {
 
     /// Converts a row of each component to a row of RGB.
     pub(crate) fn write_rgb(self, rows: &[&[u8]], out: &mut [u8]) {
+        widest(
+            #[inline(always)]
+            || self.write_row(rows, out),
+        );
+    }
+
+    #[inline(always)]
+    fn write_row(self, rows: &[&[u8]], out: &mut [u8]) {
         let out = out.as_chunks_mut::<3>().0;
         match (self, rows) {
             (Self::YCbCr, [y, cb, cr, ..]) => {
@@ -58,6 +68,7 @@ impl Colours {
 }
 
 /// Converts a group of pixels in loops that the compiler can vectorise.
+#[inline(always)]
 fn write_group(to: &mut [[u8; 3]; 16], y: &[u8; 16], cb: &[u8; 16], cr: &[u8; 16]) {
     let mut channels = [[0; 16]; 3];
     for at in 0..16 {

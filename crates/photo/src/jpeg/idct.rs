@@ -5,6 +5,8 @@
 
 use std::num::Wrapping;
 
+use crate::widest;
+
 /// Dequantised coefficients, row by row. Damaged data may overflow; its samples are undefined.
 pub(crate) type Block = [i32; 64];
 
@@ -16,12 +18,24 @@ const FIRST_PASS_BITS: usize = 2;
 
 /// Writes the samples of a block to the start of `out`, with `stride` between rows.
 pub(crate) fn write_samples(block: &Block, out: &mut [u8], stride: usize) {
-    let columns = transform::<{ FACTOR_BITS - FIRST_PASS_BITS }>(block);
-    let samples = transform::<{ FACTOR_BITS + FIRST_PASS_BITS + 3 }>(&transposed(&columns));
-    let samples = transposed(&samples.map(|sample| (sample + 128).clamp(0, 255) as u8));
+    let samples = widest(
+        #[inline(always)]
+        || samples(block),
+    );
     for (row, samples) in out.chunks_mut(stride).zip(samples.as_chunks::<8>().0) {
         row[..8].copy_from_slice(samples);
     }
+}
+
+#[inline(always)]
+fn samples(block: &Block) -> [u8; 64] {
+    let columns = transform::<{ FACTOR_BITS - FIRST_PASS_BITS }>(block);
+    let rows = transform::<{ FACTOR_BITS + FIRST_PASS_BITS + 3 }>(&transposed(&columns));
+    let mut samples = [0; 64];
+    for (sample, value) in samples.iter_mut().zip(rows) {
+        *sample = (value + 128).clamp(0, 255) as u8;
+    }
+    transposed(&samples)
 }
 
 /// Writes a block that has only a DC coefficient.
@@ -42,6 +56,7 @@ fn transposed<T: Copy + Default>(block: &[T; 64]) -> [T; 64] {
 }
 
 /// Transforms each column.
+#[inline(always)]
 fn transform<const SHIFT: usize>(block: &Block) -> Block {
     let mut out = [0; 64];
     for lane in 0..8 {

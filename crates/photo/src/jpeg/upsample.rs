@@ -3,6 +3,7 @@
 
 use super::header::{Component, Frame};
 use super::plane::Plane;
+use crate::widest;
 
 pub(crate) struct Upsampler<'a> {
     plane: &'a Plane,
@@ -31,9 +32,20 @@ impl<'a> Upsampler<'a> {
 
     /// Returns row `y` of the picture.
     pub(crate) fn row(&mut self, y: usize) -> &[u8] {
+        if self.ratio == [1, 1] {
+            return self.plane.row(y);
+        }
+        widest(
+            #[inline(always)]
+            || self.write_row(y),
+        );
+        &self.row[..self.width]
+    }
+
+    #[inline(always)]
+    fn write_row(&mut self, y: usize) {
         let own = self.plane.row(y / self.ratio[1]);
         match (self.ratio, self.interpolated) {
-            ([1, 1], _) => return own,
             (_, [true, false]) => interpolate_across(own, &mut self.row, pair_of_samples),
             (_, [across, true]) => {
                 let near = if y.is_multiple_of(2) {
@@ -56,11 +68,11 @@ impl<'a> Upsampler<'a> {
                 self.row.chunks_exact_mut(across).zip(own).for_each(|(to, &sample)| to.fill(sample));
             }
         }
-        &self.row[..self.width]
     }
 }
 
 /// Interpolates a row to twice its width; `pair` computes two pixels from the previous, current and next value.
+#[inline(always)]
 fn interpolate_across<T: Copy>(values: &[T], out: &mut [u8], pair: impl Fn(T, T, T) -> [u8; 2]) {
     let (out, last) = (out.as_chunks_mut::<2>().0, values.len() - 1);
     for (to, near) in out[1..].iter_mut().zip(values.array_windows::<3>()) {
@@ -70,11 +82,13 @@ fn interpolate_across<T: Copy>(values: &[T], out: &mut [u8], pair: impl Fn(T, T,
     out[last] = pair(values[last - 1], values[last], values[last]);
 }
 
+#[inline(always)]
 fn pair_of_samples(left: u8, own: u8, right: u8) -> [u8; 2] {
     let [left, own, right] = [left, own, right].map(u16::from);
     [((3 * own + left + 1) / 4) as u8, ((3 * own + right + 2) / 4) as u8]
 }
 
+#[inline(always)]
 fn pair_of_sums(left: u16, own: u16, right: u16) -> [u8; 2] {
     [((3 * own + left + 8) / 16) as u8, ((3 * own + right + 7) / 16) as u8]
 }

@@ -5,7 +5,7 @@ use rosto::SavedFace;
 use rosto_face::{FaceError, MAX_DENSITY, Observation, Triangulation};
 use rosto_laplacian::LaplacianError;
 use rosto_session::{
-    Intent, MAX_ENTRIES, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError,
+    Intent, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError,
 };
 use rosto_stage::Light;
 use rosto_studio::project::ProjectError;
@@ -193,8 +193,8 @@ fn a_density_beyond_the_maximum_is_refused() {
 fn a_history_that_is_too_long_is_refused() {
     let mirrored = r#"{"label": "a", "switch": "off", "symmetrise": {"share": 0.5}}"#.to_owned();
     let long = history(&vec![mirrored; MAX_ENTRIES]);
-    let refused = SessionError::TooManyEntries { found: MAX_ENTRIES + 1, max: MAX_ENTRIES };
-    assert_eq!(refusal_of(&long), refused);
+    let refused = ProjectError::TooManyEntries { found: MAX_ENTRIES + 1, max: MAX_ENTRIES };
+    assert_eq!(refusal_of(&long), refused.into());
 }
 
 /// The refused number and its range.

@@ -3,7 +3,7 @@ use std::collections::HashSet;
 use rosto_face::MAX_DENSITY;
 use rosto_laplacian::LaplacianError;
 
-use super::Document;
+use super::{Document, MAX_LABEL_CHARS};
 use crate::{Command, EditSpec, Entry, StudioError};
 
 /// Default subdivision level: 7,257 vertices, with the landmarks as the cage. Rim and silhouette look smooth at this
@@ -17,6 +17,10 @@ const MAX_RESPONSES: usize = 16_000_000;
 impl Document {
     /// Rejects an entry that cannot be applied at its own density either.
     pub(super) fn check(&self, entry: &Entry) -> Result<(), StudioError> {
+        let found = entry.label.chars().count();
+        if found > MAX_LABEL_CHARS {
+            return Err(StudioError::LabelTooLong { found, max: MAX_LABEL_CHARS });
+        }
         match &entry.command {
             Command::Symmetrise { share } if (0.0..=1.0).contains(share) => Ok(()),
             &Command::Symmetrise { share } => Err(StudioError::Share { share }),
@@ -48,6 +52,9 @@ impl Document {
     pub(super) fn check_spec(&self, spec: &EditSpec) -> Result<(), StudioError> {
         let vertex_count = self.vertices_at(spec.level)?;
         let pins = &spec.settings.anchors.pins;
+        if pins.len() > vertex_count {
+            return Err(StudioError::TooManyAnchors { anchors: pins.len(), vertex_count });
+        }
         if let Some(&vertex) = spec.handles.iter().chain(pins).find(|vertex| **vertex as usize >= vertex_count) {
             return Err(LaplacianError::NoSuchVertex { vertex, vertex_count }.into());
         }

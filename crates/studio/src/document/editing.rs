@@ -8,6 +8,7 @@ use crate::expression_cache;
 use crate::level::Level;
 use crate::level_positions::{LevelPositions, Scratch};
 use crate::prepared_edit::PreparedEdit;
+use crate::shape::Shape;
 use crate::{Command, Details, EditSpec, Entry, EntryStatus, Expression, InfluenceWeights, StudioError, Switch};
 
 /// The offsets being previewed and the resulting positions.
@@ -16,9 +17,11 @@ pub(super) struct Preview {
     offsets: Vec<DVec3>,
     /// Positions of the displayed mesh.
     positions: Vec<DVec3>,
-    shape: LevelPositions,
-    /// Receives the next shape; swapped with `shape` once it is complete.
-    next: LevelPositions,
+    shape: Shape,
+    /// Receives the next shape; copied to `shape` once it is complete.
+    next: Shape,
+    levels: LevelPositions,
+    moved: Vec<DVec3>,
     scratch: Scratch,
     /// Weights of the previewed expressions.
     weights: Vec<(Expression, f64)>,
@@ -35,13 +38,15 @@ enum PreviewKind {
 }
 
 impl Preview {
-    pub(super) fn none(unedited: &LevelPositions) -> Self {
-        let (shape, positions) = (unedited.clone(), unedited.densest().to_vec());
+    pub(super) fn none(unedited: &Shape, levels: &[Level]) -> Self {
+        let (shape, levels) = (unedited.clone(), unedited.positions(levels));
         Self {
             offsets: Vec::new(),
-            positions,
+            positions: levels.densest().to_vec(),
             next: shape.clone(),
             shape,
+            levels,
+            moved: Vec::new(),
             scratch: Scratch::default(),
             weights: Vec::new(),
             kind: PreviewKind::None,
@@ -125,6 +130,7 @@ impl Document {
     /// [`StudioError::Laplacian`] if rotating details do not converge. The previous preview is retained.
     pub fn preview(&mut self, offsets: &[DVec3]) -> Result<(), StudioError> {
         self.fault.check()?;
+        self.check_room(1)?;
         let prepared = self.prepared.as_ref().ok_or(StudioError::NothingPrepared)?;
         if prepared.is_stale() {
             self.prepared = Some(self.prepare_edit(prepared.spec().clone())?);
@@ -133,11 +139,13 @@ impl Document {
         let (from, preview) = (self.replayed.last(), &mut self.preview);
         prepared.check(offsets)?;
         if let Some(influence) = uniform_influence(&self.influence, prepared, offsets, self.density) {
-            influence.displace(from.densest(), offsets[0], &mut preview.positions);
+            influence.displace(self.committed.densest(), offsets[0], &mut preview.positions);
         } else {
-            preview.next.displace(&self.levels, from, prepared, offsets, &mut preview.scratch)?;
-            std::mem::swap(&mut preview.shape, &mut preview.next);
-            preview.positions.copy_from_slice(preview.shape.densest());
+            preview.next.copy_from(from);
+            preview.next.displace(&self.levels, prepared, offsets, &mut preview.moved)?;
+            preview.shape.copy_from(&preview.next);
+            preview.shape.write_positions(&self.levels, &mut preview.levels, &mut preview.scratch);
+            preview.positions.copy_from_slice(preview.levels.densest());
         }
         self.preview.offsets.clear();
         self.preview.offsets.extend_from_slice(offsets);
@@ -153,12 +161,13 @@ impl Document {
     /// solution. The previous preview is retained.
     pub fn preview_expressions(&mut self, weights: &[(Expression, f64)]) -> Result<(), StudioError> {
         self.fault.check()?;
+        self.check_room(weights.len())?;
         for &(expression, weight) in weights {
             self.check_expression(weight)?;
             expression_cache::prepare(&mut self.levels, self.density, expression)?;
         }
-        let (from, preview) = (self.replayed.last().densest(), &mut self.preview);
-        preview.positions.copy_from_slice(from);
+        let preview = &mut self.preview;
+        preview.positions.copy_from_slice(self.committed.densest());
         for &(expression, weight) in weights {
             let displacements =
                 self.levels[self.density as usize].expression_cache().displacements(expression).unwrap_or_default();
@@ -182,13 +191,14 @@ impl Document {
         } else if let (PreviewKind::Prepared, Some(prepared)) = (self.preview.kind, &mut self.prepared) {
             let (from, preview) = (self.replayed.last(), &mut self.preview);
             if uniform_influence(&self.influence, prepared, &preview.offsets, self.density).is_some() {
-                let moved =
-                    preview.shape.displace(&self.levels, from, prepared, &preview.offsets, &mut preview.scratch);
+                preview.shape.copy_from(from);
+                let moved = preview.shape.displace(&self.levels, prepared, &preview.offsets, &mut preview.moved);
                 moved.expect("invariant: the preview has checked these offsets");
             }
             let command = prepared.command(self.preview.offsets.clone());
             self.history.push(Entry { label: label.to_owned(), command, switch: Switch::On });
             self.replayed.push(Arc::new(self.preview.shape.clone()), EntryStatus::InForce);
+            self.settle();
         }
         self.end_preview();
     }
@@ -199,13 +209,19 @@ impl Document {
         }
         let mut entries = Vec::with_capacity(self.preview.weights.len());
         for &(expression, weight) in &self.preview.weights {
-            let mut shape = LevelPositions::clone(self.replayed.last());
-            shape.express(&self.levels, expression, weight);
+            let mut shape = Shape::clone(self.replayed.last());
+            shape.express(&mut self.levels, expression, weight).expect("invariant: the preview has computed it");
             self.replayed.push(Arc::new(shape), EntryStatus::InForce);
             let command = Command::Express { expression, weight };
             entries.push(Entry { label: expression.id().to_owned(), command, switch: Switch::On });
         }
         self.history.push_all(entries);
+        self.settle();
+    }
+
+    /// Computes the positions after the last entry.
+    pub(super) fn settle(&mut self) {
+        self.committed = Arc::new(self.replayed.last().positions(&self.levels));
     }
 
     /// Discards the edit in progress; the prepared edit is retained.
@@ -223,6 +239,7 @@ impl Document {
 
     fn prepare_edit(&mut self, spec: EditSpec) -> Result<PreparedEdit, StudioError> {
         self.check_spec(&spec)?;
+        self.check_work_with(&spec)?;
         prepare_edit(&mut self.levels, self.density, self.replayed.last(), spec)
     }
 
@@ -236,12 +253,12 @@ impl Document {
             first_guess = Some(prepare_edit(&mut self.levels, self.density, from, spec)?);
         }
         let prepared = first_guess.as_mut().unwrap_or(prepared);
-        // Separate buffers: the preview stays unchanged if this fails.
-        let (mut shape, mut scratch) = (LevelPositions::clone(from), Scratch::default());
         let handles = prepared.spec().handles.len();
         let mut along = |axis: DVec3| {
-            shape.displace(&self.levels, from, prepared, &vec![axis; handles], &mut scratch)?;
-            Ok::<_, StudioError>(shape.densest().iter().zip(from.densest()).map(|(to, at)| *to - *at).collect())
+            let mut shape = Shape::at_rest(&self.levels[..=self.density as usize]);
+            shape.displace(&self.levels, prepared, &vec![axis; handles], &mut Vec::new())?;
+            let positions = shape.positions(&self.levels);
+            Ok::<_, StudioError>(positions.densest().iter().zip(self.rest()).map(|(to, at)| *to - *at).collect())
         };
         let (along_x, along_y): (Vec<DVec3>, Vec<DVec3>) = (along(DVec3::X)?, along(DVec3::Y)?);
         match along_x.iter().chain(&along_y).position(|displacement| !displacement.is_finite()) {
@@ -254,14 +271,19 @@ impl Document {
 pub(super) fn prepare_edit(
     levels: &mut [Level],
     density: u32,
-    from: &LevelPositions,
+    from: &Shape,
     spec: EditSpec,
 ) -> Result<PreparedEdit, StudioError> {
     let level = spec.level;
     if level > density {
         return Err(StudioError::TooCoarse { level, density });
     }
-    PreparedEdit::new(spec, &mut levels[level as usize], from.at(level))
+    let from = match spec.settings.details {
+        Details::Kept => None,
+        Details::AsRigidAsPossible => Some(from.positions_to(levels, level)),
+    };
+    let from = from.as_ref().map_or(&[][..], LevelPositions::densest);
+    PreparedEdit::new(spec, &mut levels[level as usize], from)
 }
 
 /// Influence weights that replace the interpolation from level to level during a tick, if they apply: the handles share

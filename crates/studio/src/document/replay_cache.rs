@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use crate::EntryStatus;
-use crate::level_positions::LevelPositions;
+use crate::shape::Shape;
 
 /// Memory limit of the cached shapes, in bytes.
 const BUDGET_BYTES: usize = 48 << 20;
@@ -12,15 +12,15 @@ const RETAINED_LATEST: usize = 8;
 /// allows; others are recomputed from the nearest retained shape before them.
 #[derive(Clone)]
 pub(super) struct ReplayCache {
-    unedited: Arc<LevelPositions>,
-    after: Vec<Option<Arc<LevelPositions>>>,
+    unedited: Arc<Shape>,
+    after: Vec<Option<Arc<Shape>>>,
     statuses: Vec<EntryStatus>,
     retained_bytes: usize,
     budget_bytes: usize,
 }
 
 impl ReplayCache {
-    pub fn new(unedited: LevelPositions) -> Self {
+    pub fn new(unedited: Shape) -> Self {
         let (after, statuses) = (Vec::new(), Vec::new());
         Self { unedited: Arc::new(unedited), after, statuses, retained_bytes: 0, budget_bytes: BUDGET_BYTES }
     }
@@ -29,12 +29,12 @@ impl ReplayCache {
         self.after.len()
     }
 
-    pub fn unedited(&self) -> &Arc<LevelPositions> {
+    pub fn unedited(&self) -> &Arc<Shape> {
         &self.unedited
     }
 
     /// The shape after the last entry; it is always retained.
-    pub fn last(&self) -> &Arc<LevelPositions> {
+    pub fn last(&self) -> &Arc<Shape> {
         self.after.last().and_then(Option::as_ref).unwrap_or(&self.unedited)
     }
 
@@ -42,7 +42,7 @@ impl ReplayCache {
         self.statuses.get(index)
     }
 
-    pub fn push(&mut self, shape: Arc<LevelPositions>, status: EntryStatus) {
+    pub fn push(&mut self, shape: Arc<Shape>, status: EntryStatus) {
         // Shared shapes count once: an entry that changes nothing shares the shape before it.
         self.retained_bytes += if Arc::ptr_eq(&shape, self.last()) { 0 } else { shape.bytes() };
         self.after.push(Some(shape));
@@ -94,7 +94,7 @@ mod tests {
     fn memory_stays_within_budget_and_the_latest_shapes_are_retained() {
         let rest =
             Rest::of_landmarks(Triangulation::Canonical.topology(), canonical_positions_m(), CoordinateFrame::Model);
-        let shape = LevelPositions::at_rest(&[Level::new(rest)]);
+        let shape = Shape::at_rest(&[Level::new(rest)]);
         let mut shapes = ReplayCache::new(shape.clone());
         shapes.budget_bytes = 20 * shape.bytes();
         for _ in 0..1000 {

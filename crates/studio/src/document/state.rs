@@ -1,6 +1,9 @@
+use std::sync::Arc;
+
 use super::Document;
 use super::editing::Preview;
 use super::replay_cache::ReplayCache;
+use crate::level_positions::LevelPositions;
 use crate::prepared_edit::PreparedEdit;
 use crate::{History, InfluenceWeights};
 
@@ -9,6 +12,7 @@ pub struct DocumentState {
     density: u32,
     history: History,
     replayed: ReplayCache,
+    committed: Arc<LevelPositions>,
     prepared: Option<PreparedEdit>,
     influence: Option<InfluenceWeights>,
     preview: Preview,
@@ -21,6 +25,7 @@ impl Document {
             density: self.density,
             history: self.history.clone(),
             replayed: self.replayed.clone(),
+            committed: Arc::clone(&self.committed),
             prepared: self.prepared.clone(),
             influence: self.influence.clone(),
             preview: self.preview.clone(),
@@ -29,8 +34,8 @@ impl Document {
 
     /// Restores a snapshot of this document.
     pub fn restore(&mut self, state: DocumentState) {
-        let DocumentState { density, history, replayed, prepared, influence, preview } = state;
-        (self.density, self.history, self.replayed) = (density, history, replayed);
+        let DocumentState { density, history, replayed, committed, prepared, influence, preview } = state;
+        (self.density, self.history, self.replayed, self.committed) = (density, history, replayed, committed);
         (self.prepared, self.influence, self.preview) = (prepared, influence, preview);
     }
 

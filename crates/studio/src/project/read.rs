@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::VERSION;
 use crate::{
-    AnchorKind, Anchors, Command, Details, EditSpec, Entry, Expression, Mirror, RegionOfInfluence, Settings, Switch,
+    AnchorKind, Anchors, Command, Details, EditSpec, Entry, Expression, MAX_ENTRIES, Mirror, RegionOfInfluence, Settings, Switch,
 };
 
 /// Why text cannot be read as a history.
@@ -24,6 +24,14 @@ pub enum ProjectError {
         found: u64,
         /// The supported version.
         known: u64,
+    },
+    /// The history has too many entries.
+    #[error("the history has {found} entries; the maximum is {max}")]
+    TooManyEntries {
+        /// Number of entries.
+        found: usize,
+        /// Highest number of entries.
+        max: usize,
     },
     /// A field of an entry is missing or has an unexpected value.
     #[error("field {field:?} of entry {entry} is missing or invalid")]
@@ -51,7 +59,11 @@ pub fn from_json(text: &str) -> Result<Vec<Entry>, ProjectError> {
     if found != VERSION {
         return Err(ProjectError::Version { found, known: VERSION });
     }
-    let entries = file["entries"].as_array().ok_or(ProjectError::NotAHistory)?.iter().enumerate();
+    let entries = file["entries"].as_array().ok_or(ProjectError::NotAHistory)?;
+    if entries.len() > MAX_ENTRIES {
+        return Err(ProjectError::TooManyEntries { found: entries.len(), max: MAX_ENTRIES });
+    }
+    let entries = entries.iter().enumerate();
     entries.map(|(index, value)| entry(value).map_err(|field| ProjectError::Field { entry: index, field })).collect()
 }
 

@@ -112,3 +112,61 @@ fn a_failed_prepare_retains_the_prepared_edit() {
         assert_eq!((document.spec(), bits(document.positions())), (Some(&mirrored_spec(61)), shown.clone()));
     }
 }
+
+fn off(label: &str) -> Entry {
+    Entry { label: label.to_owned(), command: Command::Symmetrise { share: 0.5 }, switch: Switch::Off }
+}
+
+#[test]
+fn the_number_of_entries_is_limited() {
+    let rest = canonical(Triangulation::Canonical);
+    let refused = |count| Document::replay(rest.clone(), vec![off("step"); count]).err();
+    let found = MAX_ENTRIES + 1;
+    assert_eq!(refused(found), Some(StudioError::TooManyEntries { found, max: MAX_ENTRIES }));
+    let mut full = Document::replay(rest.clone(), vec![off("step"); MAX_ENTRIES]).unwrap();
+    let too_many = Err(StudioError::TooManyEntries { found, max: MAX_ENTRIES });
+    assert_eq!(full.apply("one more", single_move(4, DVec3::Z)), too_many);
+    full.prepare(EditSpec { handles: vec![4], ..EditSpec::default() }).unwrap();
+    assert_eq!(full.preview(&[DVec3::Z]), too_many);
+    assert_eq!(full.preview_expressions(&[(Expression::JawOpen, 0.5)]), too_many);
+    assert!(full.undo().is_some());
+    assert_eq!(full.preview(&[DVec3::Z]), Ok(()));
+    full.commit("one more");
+    assert_eq!(full.history().entries().len(), MAX_ENTRIES);
+}
+
+#[test]
+fn labels_are_limited() {
+    let rest = canonical(Triangulation::Canonical);
+    let refused = |label: &str| Document::replay(rest.clone(), vec![off(label)]).err();
+    assert_eq!(refused(&"é".repeat(MAX_LABEL_CHARS)), None);
+    let reason = Box::new(StudioError::LabelTooLong { found: MAX_LABEL_CHARS + 1, max: MAX_LABEL_CHARS });
+    assert_eq!(refused(&"é".repeat(MAX_LABEL_CHARS + 1)), Some(StudioError::Entry { index: 0, reason }));
+}
+
+#[test]
+fn more_anchors_than_vertices_are_refused() {
+    let settings = Settings { anchors: Anchors::explicit(vec![5; 469]), ..Settings::default() };
+    let mut document = Document::new(canonical(Triangulation::Canonical)).unwrap();
+    let refused = Err(StudioError::TooManyAnchors { anchors: 469, vertex_count: 468 });
+    assert_eq!(document.apply("step", point(0, vec![4], settings)), refused);
+}
+
+/// The entries wait for a denser mesh, so that nothing is solved in this test.
+#[test]
+fn histories_that_take_too_long_are_refused_before_they_are_replayed() {
+    let rest = canonical(Triangulation::Canonical);
+    let settings = |radius| Settings { influence: RegionOfInfluence::Within { radius }, ..Settings::default() };
+    let dense = |index: u32| entry(point(4, (0..100).collect(), settings(0.01 + 0.001 * f64::from(index))));
+    assert!(Document::replay(rest.clone(), vec![dense(0); 10]).is_ok(), "equal specs share a solve");
+    let refused = Document::replay(rest, (0..10).map(dense).collect()).err();
+    assert!(matches!(refused, Some(StudioError::TooMuchWork { work, max }) if work > max), "{refused:?}");
+}
+
+/// 20,000 edits of all landmarks stay far below the limit on work.
+#[test]
+fn a_long_history_of_all_landmarks_opens() {
+    let step = |index: u32| entry(single_move(index % 468, DVec3::new(0.0, 1e-6, 2e-6) * f64::from(index % 7)));
+    let document = Document::open(canonical(Triangulation::Canonical), (0..20_000).map(step).collect(), 2).unwrap();
+    assert_eq!(document.status(19_999), Some(&EntryStatus::InForce));
+}

@@ -6,13 +6,13 @@
 /// all machines.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
+pub fn widest<R>(work: impl FnOnce() -> R) -> R {
     pulp::Arch::new().dispatch(work)
 }
 
 /// Other targets are compiled for a fixed instruction set.
 #[cfg(not(target_arch = "x86_64"))]
 #[inline(always)]
-pub(crate) fn widest<R>(work: impl FnOnce() -> R) -> R {
+pub fn widest<R>(work: impl FnOnce() -> R) -> R {
     work()
 }

@@ -1,0 +1,53 @@
+//! Whether landmarks can be those of a face.
+
+use glam::DVec3;
+
+use crate::model::{fit_canonical_to, in_px};
+use crate::tables::CANONICAL;
+use crate::{FaceError, LANDMARK_COUNT, canonical_positions_m};
+
+/// Largest deviation from the canonical face, in mm of its size: root mean square over the landmarks. Faces in photos
+/// deviate by up to 9 mm, turned, grimacing or on the edge of a picture; one stretched to twice its height by 24 mm;
+/// random points by over 200 mm.
+const MAX_DEVIATION_MM: f64 = 30.0;
+
+/// Largest share of the surface that can be turned inside out, in per cent. It is up to 1 % in photos, 50 % for random
+/// points.
+const MAX_INSIDE_OUT_PER_CENT: f64 = 20.0;
+
+/// Rejects landmarks that cannot be a face's.
+pub(crate) fn check(landmarks: &[[f32; 3]], photo_size_px: [u32; 2]) -> Result<(), FaceError> {
+    let landmarks_px = in_px(landmarks, photo_size_px)?;
+    let px_from_model = fit_canonical_to(&landmarks_px)?;
+    let model_from_px = px_from_model.inverse();
+    let canonical_m = canonical_positions_m();
+    let fitted_m: Vec<DVec3> = landmarks_px[..LANDMARK_COUNT].iter().map(|&px| model_from_px.apply(px)).collect();
+    let squared_m2 = fitted_m.iter().zip(&canonical_m).map(|(found, known)| found.distance_squared(*known)).sum::<f64>();
+    let deviation_mm = 1000.0 * (squared_m2 / LANDMARK_COUNT as f64).sqrt();
+    // Negated, so that NaN is refused.
+    if !(deviation_mm <= MAX_DEVIATION_MM) {
+        return Err(FaceError::NotAFace { deviation_mm, most_mm: MAX_DEVIATION_MM });
+    }
+    let inside_out_per_cent = inside_out_per_cent(&fitted_m, &canonical_m);
+    if inside_out_per_cent > MAX_INSIDE_OUT_PER_CENT {
+        return Err(FaceError::Folded { inside_out_per_cent, most_per_cent: MAX_INSIDE_OUT_PER_CENT });
+    }
+    Ok(())
+}
+
+/// Share of the canonical face's area whose triangles face backwards in `fitted_m`, in per cent.
+fn inside_out_per_cent(fitted_m: &[DVec3], canonical_m: &[DVec3]) -> f64 {
+    let (mut turned, mut total) = (0.0, 0.0);
+    for corners in CANONICAL {
+        let normal = |at: &[DVec3]| {
+            let [a, b, c] = corners.map(|corner| at[usize::from(corner)]);
+            (b - a).cross(c - a)
+        };
+        let known = normal(canonical_m);
+        total += known.length();
+        if known.dot(normal(fitted_m)) < 0.0 {
+            turned += known.length();
+        }
+    }
+    100.0 * turned / total
+}
