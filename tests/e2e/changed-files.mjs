@@ -34,7 +34,7 @@ export function scatterLandmarks(fields) {
 
 /** Replaces the history with `count` entries. @param {{ history: { entries: object[] } }} fields @param {number} count */
 export function lengthenHistory({ history }, count) {
-  history.entries = Array(count).fill({ label: "symmetry", switch: "off", symmetrise: { share: 0.5 } });
+  history.entries = new Array(count).fill({ label: "symmetry", switch: "off", symmetrise: { share: 0.5 } });
 }
 
 /** @param {{ photos: { observation: string }[] }} fields @param {(bytes: Buffer) => void} change */

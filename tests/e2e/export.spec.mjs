@@ -222,3 +222,30 @@ async function downloadGlb(visitor) {
   assert.deepEqual(await validateGlb(bytes), { clean: true, counts: "0/0/0/0", messages: [] });
   return { name, json: partsOfGlb(bytes).json, bytes: bytes.length };
 }
+
+test("a dense print is made without blocking the page, and can be cancelled", async ({ editor, page }) => {
+  await editor.unfold("section-export");
+  await page.selectOption("#export-density", "3");
+  await editor.reveal("#print-facts");
+  await page.evaluate(() => {
+    globalThis.longest_ms = 0;
+    new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) globalThis.longest_ms = Math.max(globalThis.longest_ms, duration);
+    }).observe({ type: "longtask" });
+  });
+  const downloads = [];
+  page.on("download", (download) => downloads.push(download.suggestedFilename()));
+  await page.click("#download-stl");
+  await expect(page.locator("#export-making-file")).toHaveText(/portrait-28881\.stl/);
+  await page.click("#cancel-file");
+  await page.waitForSelector("#export-making", { state: "hidden" });
+  assert.deepEqual([downloads, await page.isHidden("#notice"), await page.isHidden("#print-error")], [[], true, true]);
+
+  await page.selectOption("#export-density", "2");
+  await page.evaluate(() => (globalThis.longest_ms = 0));
+  const { name } = await editor.save("download-stl");
+  assert.equal(name, "portrait.stl");
+  assert.ok(await page.isHidden("#export-making"));
+  const longest_ms = await page.evaluate(() => globalThis.longest_ms);
+  assert.ok(longest_ms < 200, `the page was blocked for ${longest_ms} ms`);
+});

@@ -25,8 +25,7 @@ const OTHER_VERSION: (&str, &str) =
     ("other-version", "Reload the page to get its newest version, or open the photo instead.");
 
 /// Code and hint of a history that is too long or takes too long.
-const TOO_MANY_EDITS: (&str, &str) =
-    ("too-many-edits", "Undo some of the edits, or open an earlier copy of the file.");
+const TOO_MANY_EDITS: (&str, &str) = ("too-many-edits", "Undo some of the edits, or open an earlier copy of the file.");
 
 /// The types of numbers in messages; serde's error about one ends with its type.
 const NUMBERS: &str = "f64, u32, usize, u8";

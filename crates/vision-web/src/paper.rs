@@ -136,7 +136,7 @@ impl PaperRun {
 
     fn claims(&self) -> PaperClaims {
         let Claims { degree_ratio, offset_ratio, smooth, edits, .. } = Claims::of(self.papers_trials());
-        PaperClaims { degree_ratio, offset_ratio, smooth, edits }
+        PaperClaims { degree_ratio, offset_ratio, smooth, edits, runs: self.runs }
     }
 
     /// Plot of time against degree and offset, for the paper's method.
@@ -215,4 +215,6 @@ pub struct PaperClaims {
     pub smooth: usize,
     /// Number of edits.
     pub edits: usize,
+    /// Number of runs of each method.
+    pub runs: usize,
 }

@@ -2,9 +2,9 @@ import { make } from "../page/dom.ts";
 import { Opening } from "../opening.ts";
 import { VisionClient } from "../photo/vision-client.ts";
 import { Host, type Notices } from "../viewport/host.ts";
-import { LandmarkMarks } from "../viewport/landmark-marks.ts";
-import { setUpViewKeys } from "../viewport/shortcuts.ts";
-import { WholeTexture } from "../viewport/whole-texture.ts";
+import { setUpMarks } from "../viewport/landmark-marks.ts";
+import { setUpKeys } from "../viewport/shortcuts.ts";
+import { followTexture } from "../viewport/whole-texture.ts";
 import { FaceFiles } from "../work/face-files.ts";
 import { loadWords } from "../words/words.ts";
 import { choices, index, oneOf, plain } from "./checks.ts";
@@ -60,10 +60,10 @@ export class FaceSession {
       ended: (isNewest) => isNewest && listeners.progress?.(),
     });
     this.#files = new FaceFiles(host, vision, this.#opening);
-    new LandmarkMarks(host, { tag });
-    setUpViewKeys(host);
-    new WholeTexture(host, this.#files);
-    host.onChange(() => this.#onChange());
+    setUpMarks(host, { tag });
+    setUpKeys(host, host.canvas.getRootNode());
+    followTexture(host, this.#files);
+    host.on("change", () => this.#onChange());
   }
 
   /** The open face. */

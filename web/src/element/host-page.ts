@@ -1,5 +1,4 @@
 import { fetchFile } from "../files.ts";
-import { isTyping } from "../page/dom.ts";
 import { text } from "./checks.ts";
 
 /** Whether an element is shown. Without a size, nothing can be drawn. */
@@ -20,17 +19,6 @@ export function untilShown(element: Element, signal: AbortSignal) {
     // A hidden tab does not observe sizes.
     if (hasSize(element)) resolve();
   });
-}
-
-/** Listens to the keys of undo and redo in an element, except while typing. */
-export function onUndoKey(root: ShadowRoot, act: (what: "undo" | "redo") => void, signal: AbortSignal) {
-  const listener = (event: Event) => {
-    if (!(event instanceof KeyboardEvent) || !(event.ctrlKey || event.metaKey) || isTyping(event)) return;
-    if (!/^[zy]$/i.test(event.key)) return;
-    event.preventDefault();
-    act(event.shiftKey || event.key.toLowerCase() === "y" ? "redo" : "undo");
-  };
-  root.addEventListener("keydown", listener, { signal });
 }
 
 /** The file of a photo; an address is fetched, and names the file. */

@@ -22,7 +22,7 @@ export function addPanel(host: Host, shadow: ShadowRoot) {
   shadow.append(aside);
   const place = (section: HTMLElement) => SECTIONS.includes(section.id) && sections.append(section);
   const panels = new Panels(place, (intent) => host.applyShown(intent), shadow);
-  host.onPanel((widgets) => panels.update(widgets));
+  host.on("panel", (widgets) => panels.update(widgets));
   onLocaleChange(() => panels.translate(), host.closed);
   host.announce();
 }

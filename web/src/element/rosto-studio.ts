@@ -6,7 +6,7 @@ import { leadOf } from "../work/face.ts";
 import { fileName } from "../work/file-name.ts";
 import { RostoError, finite, index, oneOf, point, text } from "./checks.ts";
 import { FaceSession } from "./face-session.ts";
-import { hasSize, onUndoKey, photoFile, untilShown } from "./host-page.ts";
+import { hasSize, photoFile, untilShown } from "./host-page.ts";
 import { Stage } from "./stage.ts";
 import type { Tool } from "./stage.ts";
 import type { Host } from "../viewport/host.ts";
@@ -265,7 +265,6 @@ export class RostoStudio extends HTMLElement {
     applyPreferences();
     session.host.onRestart(async () => applyPreferences());
     for (const name of CHOICES) this.attributeChangedCallback(name, null, this.getAttribute(name));
-    onUndoKey(this.#shadow, (tool) => this.#use(tool), signal);
   }
 
   #close() {

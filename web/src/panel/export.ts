@@ -15,6 +15,9 @@ import type { Report } from "../../wasm/rosto-studio-web.js";
 /** Debounce delay: computing a body takes time. */
 const DEBOUNCE_MS = 250;
 
+/** A file that takes longer is shown, and can be cancelled. */
+const BUSY_MS = 300;
+
 interface Context {
   host: Host;
   opening: Opening;
@@ -61,10 +64,21 @@ function offerMeshes({ host, opening, files }: Context) {
   perform(host, "check-glb", () => makeGlb(true));
   perform(host, "download-glb", async () => save(await makeGlb(true)));
   perform(host, "share-glb", async () => share(await makeGlb(false)));
+  const shownWhileMaking = async (format: string) => {
+    const name = host.answer((studio) => studio.fileName(format));
+    const timer = setTimeout(() => report({ making: name }), BUSY_MS);
+    try {
+      return await makeMesh(format);
+    } finally {
+      clearTimeout(timer);
+      report({ making: undefined });
+    }
+  };
+  onAction("cancel-file", () => files.cancel());
   const print = setUpPrint(host, files);
   const { formats, printedFormats } = host.catalogue;
   for (const id of formats.filter((id) => id !== "glb")) {
-    const download = async () => save(await makeMesh(id));
+    const download = async () => save(await shownWhileMaking(id));
     perform(host, `download-${id}`, printedFormats.includes(id) ? () => print(download) : download);
   }
   perform(host, "save-project", async () => {
@@ -81,7 +95,11 @@ function offerMeshes({ host, opening, files }: Context) {
 
 /** Performs the action of a button. */
 function perform(host: Host, name: string, act: () => Promise<unknown>) {
-  onAction(name, () => act().catch((error) => host.fail(error)));
+  onAction(name, () => act().catch((error) => isCancelled(error) || host.fail(error)));
+}
+
+function isCancelled(error: unknown) {
+  return asPageError(error).code === "cancelled";
 }
 
 /** Opens a USDZ in AR Quick Look, which detects the format by the file name and expects a picture in the link. */
@@ -111,14 +129,18 @@ function setUpPrint(host: Host, files: FaceFiles) {
   const measure = async () => {
     const number = changed;
     measured = number;
-    const report = await facts().then((body) => ({ "body-measured": body }), refusal);
-    if (number === changed) show(report);
+    const report = await facts().then(
+      (body): Report => ({ "body-measured": body }),
+      (error) => (isCancelled(error) ? undefined : refusal(error)),
+    );
+    if (!report) changed += 1;
+    else if (number === changed) show(report);
   };
   const measureSoon = () => {
     clearTimeout(timer);
     if (measured !== changed && fold.open && fold.checkVisibility()) timer = setTimeout(measure, DEBOUNCE_MS);
   };
-  host.onChange(() => {
+  host.on("change", () => {
     changed += 1;
     measureSoon();
   });
@@ -127,6 +149,7 @@ function setUpPrint(host: Host, files: FaceFiles) {
   return async (make: () => Promise<void>) => {
     const number = changed;
     await make().catch((error) => {
+      if (isCancelled(error)) return;
       // A pending result would hide the reason, unless the body has changed since.
       if (number === changed) {
         clearTimeout(timer);
@@ -157,7 +180,7 @@ function offerPhoto({ host, opening, files, pictureSize }: Context) {
   };
   perform(host, "download-photo-png", () => write("image/png", "png"));
   perform(host, "download-photo-jpeg", () => write("image/jpeg", "jpg"));
-  host.onChange(() => {
+  host.on("change", () => {
     const { face } = opening;
     if (!face) return;
     const { width, height } = pictureSize();

@@ -40,7 +40,7 @@ export function setUpLandmarkSearch(host: Host) {
   field.addEventListener("change", () => field.value.trim() !== failed && search());
   // Repeating a query fires no change event.
   field.addEventListener("keydown", ({ key }) => key === "Enter" && search());
-  host.onChange((state) => {
+  host.on("change", (state) => {
     // The error stays until the query or the selection changes.
     const stays = failed && document.activeElement === field && state.selected === selected;
     selected = state.selected;

@@ -24,7 +24,7 @@ export function setUpLightSphere(host: Host) {
   });
   sphere.addEventListener("pointermove", (event) => sphere.hasPointerCapture(event.pointerId) && drag(event));
   const sun = sphere.querySelector("#light-sun");
-  host.onPanel(() => host.read(({ light }) => {
+  host.on("panel", () => host.read(({ light }) => {
     const [azimuth, elevation] = [light.azimuthDeg / RADIAN_DEG, light.elevationDeg / RADIAN_DEG];
     sun?.setAttribute("cx", String(SPHERE * Math.sin(azimuth) * Math.cos(elevation)));
     sun?.setAttribute("cy", String(-SPHERE * Math.sin(elevation)));

@@ -12,7 +12,7 @@ export function setUpPanels(host: Host) {
   setUpLandmarkSearch(host);
   setUpLightSphere(host);
   const panels = new Panels(place, (intent) => host.applyShown(intent));
-  host.onPanel((widgets) => panels.update(widgets));
+  host.on("panel", (widgets) => panels.update(widgets));
   onLocaleChange(() => panels.translate());
   onAction("reset-view", () => host.apply({ "go-to": "reset" }));
   setUpExpert(host);

@@ -259,7 +259,7 @@ function makeText(id: string): View<Of<"text">> {
       element.hidden ||= widget.isHidden;
       element.classList.toggle("field-error", tone === "error");
       element.dataset["tone"] = tone;
-      if (tone === "status") element.role = "status";
+      if (tone === "status" || tone === "busy") element.role = "status";
     },
   };
 }

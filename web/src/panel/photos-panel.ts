@@ -92,7 +92,7 @@ export function setUpPhotos(host: Host, opening: Opening, vision: VisionClient) 
     const { photo } = removed ?? {};
     if (photo) change(() => opening.restorePhoto(photo));
   });
-  host.onChange(show);
+  host.on("change", show);
   onLocaleChange(() => host.read(show));
 }
 

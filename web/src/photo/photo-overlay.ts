@@ -64,7 +64,7 @@ export class PhotoOverlay {
       const landmark = this.#nearest(event);
       host.apply(landmark === undefined ? { scene: "picture" } : { "select-at": landmark });
     });
-    host.onPhoto(() => this.#drawSoon(host));
+    host.on("photo", () => this.#drawSoon(host));
   }
 
   /** @param listener called with the landmark under the pointer */

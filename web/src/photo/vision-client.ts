@@ -63,6 +63,12 @@ export class VisionClient {
     this.#end({ code: "worker-died", message: "the worker was ended", hint: "" });
   }
 
+  /** Cancels all pending requests; they reject with the code "cancelled". */
+  cancel() {
+    this.#end({ code: "cancelled", message: "cancelled by the visitor", hint: "" });
+    this.start();
+  }
+
   /** Opens a photo, GLB or project: finds its faces, most prominent first. */
   open(file: Blob, report?: Report): Promise<Opened> {
     return this.request("open", { file }, report);

@@ -76,7 +76,7 @@ function setUpWipe(host: Host) {
     if (!edge.hidden) apply();
   }).observe(host.canvas);
   // Opening another face ends the comparison.
-  host.onChange(({ isWiping }) => {
+  host.on("change", ({ isWiping }) => {
     if (!isWiping) show(false);
   });
   return {

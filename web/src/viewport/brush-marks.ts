@@ -25,11 +25,11 @@ export function setUpBrushMarks(host: Host) {
     context.fill();
     if (pointer) drawBrush(context, pointer, radius_px ?? 0);
   };
-  host.onChange(({ brushPx }) => {
+  host.on("change", ({ brushPx }) => {
     radius_px = brushPx;
     draw();
   });
-  host.onFrame(draw);
+  host.on("frame", draw);
   host.canvas.addEventListener("pointermove", (event) => {
     if (radius_px === undefined) return;
     // offsetX avoids a forced layout on each move.

@@ -1,12 +1,8 @@
 import type { Host } from "./host.ts";
 
-export type AxisName = "x" | "y" | "z";
+type Press = { x: number; y: number; button: number };
 
-export type Press = { x: number; y: number; button: number; };
-
-export type Spread = { x: number; y: number; apart: number; };
-
-export interface GestureListener {
+interface GestureListener {
   hover: (x_px: number, y_px: number) => void;
   leave: () => void;
   press: () => void;
@@ -17,10 +13,9 @@ export interface GestureListener {
 /** A press that moves less than this is a click, in CSS px. */
 const CLICK_SLOP_PX = 4;
 
-const AXIS_KEYS = ({ x: "x", y: "y", z: "z" } as Record<string, AxisName>);
-
 /** A wheel notch zooms by about 10%. */
 const ZOOM_PER_WHEEL_PX = 0.001;
+const LINE_PX = 16;
 
 /**
  * Translates pointer events on the canvas into intents:
@@ -30,166 +25,135 @@ const ZOOM_PER_WHEEL_PX = 0.001;
  * - Two fingers: turn and zoom. Three fingers: pan. Wheel: zoom.
  * - Click: select; with Alt: pin.
  */
-export class Gestures {
-  #pressed: Map<number, Press> = new Map();
-  /** Whether the press can still become a click. */
-  #mayClick = false;
-  #moved_px = 0;
+export function setUpGestures(host: Host, listener: GestureListener) {
+  const { canvas } = host;
+  const pressed = new Map<number, Press>();
+  /** Position of a press that can still become a click. */
+  let click_px: [number, number] | undefined;
+  let moved_px = 0;
   /** Pointer that drags a point. */
-  #grabPointer: number | undefined;
-  #isDragging = false;
+  let grabPointer: number | undefined;
+  let isDragging = false;
   /** Axis to which the drag is restricted. */
-  #along: string | undefined;
+  let along: string | undefined;
   /** Unrounded influence radius; one pinch step can change it by less than 1 mm. */
-  #radius_mm = 0;
-  #host;
-  #listener;
-
-  constructor(host: Host, listener: GestureListener) {
-    this.#host = host;
-    this.#listener = listener;
-    const { canvas } = host;
-    host.onChange(({ isDragging, radiusMm }) => {
-      this.#isDragging = isDragging;
-      if (Math.round(this.#radius_mm) !== radiusMm) this.#radius_mm = radiusMm;
-    });
-    host.onTick(({ along }) => (this.#along = along));
-    canvas.addEventListener("pointerdown", (event) => this.#press(event));
-    canvas.addEventListener("pointermove", (event) => this.#move(event));
-    canvas.addEventListener("pointerup", (event) => this.#release(event));
-    canvas.addEventListener("pointercancel", (event) => this.#cancel(event));
-    canvas.addEventListener("pointerleave", () => listener.leave());
-    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-    // Prevents autoscroll.
-    canvas.addEventListener("mousedown", (event) => event.button === 1 && event.preventDefault());
-    canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    addEventListener("keydown", (event) => this.#key(event), { capture: true, signal: host.closed });
-  }
-
-  #press(event: PointerEvent) {
-    this.#host.canvas.setPointerCapture(event.pointerId);
-    this.#listener.press();
-    this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
-    this.#mayClick = this.#pressed.size === 1 && event.button === 0;
-    // A drag continues with the first finger.
-    if (this.#pressed.size > 1) return this.#isDragging ? undefined : this.#endGrab();
-    this.#moved_px = 0;
-    this.#grabPointer = undefined;
-    if (event.button === 0) this.#grab(event);
-  }
-
-  #move(event: PointerEvent) {
-    const from = this.#pressed.get(event.pointerId);
-    if (!from) return this.#listener.hover(...this.#position(event));
-    const before = spreadOf(this.#pressed);
-    this.#pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: from.button });
-    const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
-    this.#moved_px += Math.hypot(dx, dy);
-    if (this.#moved_px < CLICK_SLOP_PX) return;
-    this.#mayClick = false;
-    const after = spreadOf(this.#pressed);
-    if (this.#grabPointer === event.pointerId) this.#drag(event);
-    else if (this.#grabPointer !== undefined) this.#scaleRadius(after.apart / before.apart);
-    else if (this.#pressed.size > 1) this.#pinch(before, after);
-    else this.#turn(dx, dy, event.shiftKey);
-  }
-
-  #release(event: PointerEvent) {
-    this.#pressed.delete(event.pointerId);
-    const isClick = this.#mayClick;
-    this.#mayClick = false;
-    // Ends a change of the radius; the drag continues.
-    if (this.#grabPointer !== undefined && this.#grabPointer !== event.pointerId) return;
-    this.#grabPointer = undefined;
-    this.#host.apply("release");
-    const place = this.#position(event);
-    if (isClick) this.#host.apply(event.altKey ? { "pin-under": place } : { "select-under": place });
-    // A mouse stays where it is; a finger is gone.
-    if (event.pointerType !== "touch") this.#listener.hover(...place);
-  }
-
-  #cancel(event: PointerEvent) {
-    this.#pressed.delete(event.pointerId);
-    this.#mayClick = false;
-    if (this.#isDragging) this.#host.apply("cancel");
-    this.#endGrab();
-  }
-
-  #endGrab() {
-    this.#grabPointer = undefined;
-    this.#host.apply("release");
-  }
-
-  /** Grabs the point under the pointer, if there is one. */
-  #grab(event: PointerEvent) {
-    const applied = this.#host.apply({ press: [this.#position(event), event.pointerType === "touch"] });
-    if (applied?.hasGrabbed) this.#grabPointer = event.pointerId;
-  }
-
-  #drag(event: PointerEvent) {
-    this.#host.apply({ drag: [this.#position(event), event.shiftKey] });
-    this.#listener.gesture("drag");
-  }
-
-  /** While dragging, X, Y and Z restrict the axis and Escape cancels. */
-  #key(event: KeyboardEvent) {
-    if (!this.#isDragging || event.ctrlKey || event.metaKey) return;
-    const axis = AXIS_KEYS[event.key.toLowerCase()];
-    if (event.key === "Escape") {
-      event.stopPropagation();
-      this.#host.apply("cancel");
-    } else if (axis) {
-      event.preventDefault();
-      // The same axis again lifts the restriction.
-      this.#host.apply({ along: axis === this.#along ? undefined : axis });
-    }
-  }
-
-  #wheel(event: WheelEvent) {
-    event.preventDefault();
-    const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
-    const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
-    if (this.#isDragging) this.#scaleRadius(1 / factor);
-    else this.#host.apply({ zoom: factor });
-  }
-
-  /** @param factor scale of the influence radius */
-  #scaleRadius(factor: number) {
-    if (!Number.isFinite(factor) || factor <= 0) return;
-    const { min, max } = this.#host.catalogue.radius;
-    this.#radius_mm = Math.min(max, Math.max(min, this.#radius_mm * factor));
-    this.#host.apply({ radius: Math.round(this.#radius_mm) });
-    this.#listener.radiusChanged();
-  }
-
-  /**
-   * @param dx in CSS px
-   * @param moves pan instead of turn
-   */
-  #turn(dx: number, dy: number, moves: boolean) {
-    const by_px: [number, number] = [dx * devicePixelRatio, dy * devicePixelRatio];
-    this.#host.apply(moves ? { pan: by_px } : { orbit: by_px });
-    if (!moves) this.#listener.gesture("turn");
-  }
-
-  #pinch(before: Spread, after: Spread) {
-    this.#turn(after.x - before.x, after.y - before.y, this.#pressed.size > 2);
-    if (before.apart > 0 && after.apart > 0) this.#host.apply({ zoom: after.apart / before.apart });
-  }
+  let radius_mm = 0;
 
   /** Pointer position in device pixels of the canvas. */
-  #position(event: PointerEvent): [number, number] {
-    const { canvas } = this.#host;
-    const box = canvas.getBoundingClientRect();
-    return [
-      ((event.clientX - box.left) * canvas.width) / box.width,
-      ((event.clientY - box.top) * canvas.height) / box.height,
-    ];
-  }
+  const positionOf = ({ clientX, clientY }: PointerEvent): [number, number] => {
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    return [((clientX - left) * canvas.width) / width, ((clientY - top) * canvas.height) / height];
+  };
+  const endGrab = () => {
+    grabPointer = undefined;
+    host.apply("release");
+  };
+  const scaleRadius = (factor: number) => {
+    if (!Number.isFinite(factor) || factor <= 0) return;
+    const { min, max } = host.catalogue.radius;
+    radius_mm = Math.min(max, Math.max(min, radius_mm * factor));
+    host.apply({ radius: Math.round(radius_mm) });
+    listener.radiusChanged();
+  };
+  /** Turns by CSS px, or pans. */
+  const turn = (dx: number, dy: number, moves: boolean) => {
+    const by_px: [number, number] = [dx * devicePixelRatio, dy * devicePixelRatio];
+    host.apply(moves ? { pan: by_px } : { orbit: by_px });
+    if (!moves) listener.gesture("turn");
+  };
+
+  const press = (event: PointerEvent) => {
+    canvas.setPointerCapture(event.pointerId);
+    listener.press();
+    pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
+    click_px = pressed.size === 1 && event.button === 0 ? positionOf(event) : undefined;
+    if (pressed.size > 1) {
+      // A drag continues with the first finger.
+      if (!isDragging) endGrab();
+      return;
+    }
+    moved_px = 0;
+    grabPointer = undefined;
+    const applied = click_px && host.apply({ press: [click_px, event.pointerType === "touch"] });
+    if (applied?.hasGrabbed) grabPointer = event.pointerId;
+  };
+  const move = (event: PointerEvent) => {
+    const from = pressed.get(event.pointerId);
+    if (!from) return listener.hover(...positionOf(event));
+    const before = spreadOf(pressed);
+    pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: from.button });
+    const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
+    moved_px += Math.hypot(dx, dy);
+    if (moved_px < CLICK_SLOP_PX) return;
+    click_px = undefined;
+    const after = spreadOf(pressed);
+    if (grabPointer === event.pointerId) {
+      host.apply({ drag: [positionOf(event), event.shiftKey] });
+      listener.gesture("drag");
+    } else if (grabPointer !== undefined) scaleRadius(after.apart / before.apart);
+    else if (pressed.size === 1) turn(dx, dy, event.shiftKey);
+    else {
+      turn(after.x - before.x, after.y - before.y, pressed.size > 2);
+      if (before.apart > 0 && after.apart > 0) host.apply({ zoom: after.apart / before.apart });
+    }
+  };
+  const release = (event: PointerEvent) => {
+    pressed.delete(event.pointerId);
+    const at_px = click_px;
+    click_px = undefined;
+    // Ends a change of the radius; the drag continues.
+    if (grabPointer !== undefined && grabPointer !== event.pointerId) return;
+    endGrab();
+    if (at_px) host.apply(event.altKey ? { "pin-under": at_px } : { "select-under": at_px });
+    // A mouse stays where it is; a finger is gone.
+    if (event.pointerType !== "touch") listener.hover(...positionOf(event));
+  };
+  const cancel = (event: PointerEvent) => {
+    pressed.delete(event.pointerId);
+    click_px = undefined;
+    if (isDragging) host.apply("cancel");
+    endGrab();
+  };
+  const wheel = (event: WheelEvent) => {
+    event.preventDefault();
+    const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * LINE_PX : event.deltaY;
+    const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
+    if (isDragging) scaleRadius(1 / factor);
+    else host.apply({ zoom: factor });
+  };
+  /** While dragging, X, Y and Z restrict the axis and Escape cancels. */
+  const key = (event: KeyboardEvent) => {
+    if (!isDragging || event.ctrlKey || event.metaKey) return;
+    const axis = event.key.toLowerCase();
+    if (event.key === "Escape") {
+      event.stopPropagation();
+      host.apply("cancel");
+    } else if (["x", "y", "z"].includes(axis)) {
+      event.preventDefault();
+      // The same axis again lifts the restriction.
+      host.apply({ along: axis === along ? undefined : axis });
+    }
+  };
+
+  host.on("change", (state) => {
+    isDragging = state.isDragging;
+    if (Math.round(radius_mm) !== state.radiusMm) radius_mm = state.radiusMm;
+  });
+  host.on("tick", (tick) => (along = tick.along));
+  canvas.addEventListener("pointerdown", press);
+  canvas.addEventListener("pointermove", move);
+  canvas.addEventListener("pointerup", release);
+  canvas.addEventListener("pointercancel", cancel);
+  canvas.addEventListener("pointerleave", listener.leave);
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  // Prevents autoscroll.
+  canvas.addEventListener("mousedown", (event) => event.button === 1 && event.preventDefault());
+  canvas.addEventListener("wheel", wheel, { passive: false });
+  addEventListener("keydown", key, { capture: true, signal: host.closed });
 }
 
 /** Centre of all fingers and distance of the first two. */
-function spreadOf(pressed: Map<number, Press>): Spread {
+function spreadOf(pressed: Map<number, Press>) {
   const presses = [...pressed.values()];
   const [first = { x: 0, y: 0 }, second = first] = presses;
   const mean = (along: "x" | "y") => presses.reduce((sum, press) => sum + press[along], 0) / presses.length;

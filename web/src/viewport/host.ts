@@ -1,22 +1,34 @@
 import { asPageError } from "../page/page-error.ts";
 import { afterNextFrame, nextTask } from "../page/tasks.ts";
-import { DeviceLossHandler } from "./device-loss.ts";
 import { isTrap, markTrapped, openStudio, restartingError, restartStudio, studioModule } from "../studio-module.ts";
+import { DeviceLossHandler } from "./device-loss.ts";
+import { followSize } from "./size.ts";
 import { watchWebGl } from "./webgl-errors.ts";
 import type { Catalogue, Changed, Intent, Phrase, State, Studio, Tick, Widget } from "../../wasm/rosto-studio-web.js";
 
+/** Shows and hides notices of an owner. */
 export interface Notices {
   show: (thrown: unknown, owner: "studio" | "gpu") => void;
-  /** hides that owner's notice only */
   hide: (owner: "studio" | "gpu") => void;
 }
 
-/** Wasm object that outlives a task. */
-export interface Lease<T> {
-  /** throws after a trap of the module */
-  ask: <A>(question: (object: T) => A) => A;
-  end: () => void;
+/** What the listeners of each event get. */
+interface Events {
+  /** After each change of the document or of a choice. */
+  change: State;
+  /** After each change, and for each tick of an edit in progress. */
+  tick: Tick;
+  /** After each drawn frame. */
+  frame: undefined;
+  /** When the photo has followed the edits, at most once per frame. */
+  photo: undefined;
+  /** The widgets of the panels that have changed. */
+  panel: Widget[];
+  /** Announcements for screen readers. */
+  said: Phrase;
 }
+
+type Listeners = { [Name in keyof Events]?: ((value: Events[Name]) => void)[] };
 
 /** Maximum number of restarts per minute. */
 const MAX_RESTARTS = 3;
@@ -31,23 +43,19 @@ export class Host {
   readonly canvas: HTMLCanvasElement;
   /** Ids and ranges, which do not change. */
   readonly catalogue: Catalogue;
-  #frameIsPending = false;
-  #isBroken = false;
-  #studio;
+  #studio: Studio;
   /** Identifies the studio: replaced when its module traps. */
   #instance = {};
-  #restarts: number[] = [];
-  #gpu;
-  #changeListeners: Set<(state: State) => void> = new Set();
-  #tickListeners: Set<(tick: Tick) => void> = new Set();
-  #frameListeners: Set<() => void> = new Set();
-  #photoListeners: Set<() => void> = new Set();
-  #panelListeners: Set<(widgets: Widget[]) => void> = new Set();
-  #say: (said: Phrase) => void = (): void => {};
+  #isBroken = false;
+  #restarts_ms: number[] = [];
+  #restorers: (() => Promise<void>)[] = [];
+  #listeners: Listeners = {};
+  #frameIsPending = false;
   #photoIsPending = false;
   #closed = new AbortController();
-  #notices;
-  #restartListeners: Set<() => Promise<void>> = new Set();
+  #notices: Notices;
+  #gpu: DeviceLossHandler;
+  #fitSize: () => void;
 
   /** Opens a studio on the canvas. Throws `{code: "no-webgl", …}` if the browser cannot draw in 3D. */
   static async open(canvas: HTMLCanvasElement, notices: Notices) {
@@ -65,7 +73,7 @@ export class Host {
     this.catalogue = studioModule().catalogue();
     this.#notices = notices;
     this.#gpu = new DeviceLossHandler(this, notices);
-    this.#followSize();
+    this.#fitSize = followSize(canvas, (size_px) => this.apply({ resize: [size_px, devicePixelRatio] }), this.closed);
     Host.#open.add(this);
   }
 
@@ -90,6 +98,22 @@ export class Host {
     this.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
+  /** Calls `listener` for each event of this name. */
+  on<Name extends keyof Events>(name: Name, listener: (value: Events[Name]) => void) {
+    const listeners: ((value: Events[Name]) => void)[] = this.#listeners[name] ?? [];
+    listeners.push(listener);
+    Object.assign(this.#listeners, { [name]: listeners });
+  }
+
+  /** Calls `restore` after a restart, which restores the work. */
+  onRestart(restore: () => Promise<void>) {
+    this.#restorers.push(restore);
+  }
+
+  #emit<Name extends keyof Events>(name: Name, value: Events[Name]) {
+    for (const listener of this.#listeners[name] ?? []) this.ask(() => listener(value));
+  }
+
   /**
    * Applies an intent, notifies the listeners of the change, and shows errors. Returns the studio's answer; undefined
    * after an error or during a restart.
@@ -102,7 +126,7 @@ export class Host {
   attempt(intent: Intent) {
     const applied = this.answer((studio) => studio.apply(intent));
     this.#follow(applied.changed);
-    if (applied.said) this.#say(applied.said);
+    if (applied.said) this.#emit("said", applied.said);
     return applied;
   }
 
@@ -127,16 +151,15 @@ export class Host {
     const isDocument = changed === "document" || changed === "mesh";
     if (changed !== "nothing") this.requestFrame();
     if (isDocument) this.announce();
-    if (changed === "tick") this.#notifyTick();
+    if (changed === "tick") this.#announceTick();
     if (isDocument || changed === "tick") this.updatePhoto();
   }
 
-  /** Returns the studio's answer; undefined after an error or during a restart. */
+  /** Returns the studio's answer; undefined after an error, which is shown, or during a restart. */
   ask<T>(question: (studio: Studio) => T): T | undefined {
     return this.#guarded(() => this.answer(question));
   }
 
-  /** Shows errors; undefined after an error or during a restart. */
   #guarded<T>(call: () => T): T | undefined {
     if (this.#isBroken) return undefined;
     try {
@@ -169,18 +192,6 @@ export class Host {
     return picture;
   }
 
-  /** Wraps a wasm object that is used in several tasks. */
-  lease<T extends { free: () => void }>(make: (studio: Studio) => T): Lease<T> {
-    const [object, instance] = [this.answer(make), this.#instance];
-    return {
-      ask: (question) => {
-        if (instance !== this.#instance) throw restartingError();
-        return this.answer(() => question(object));
-      },
-      end: () => object.free(),
-    };
-  }
-
   /** Reads from the state; undefined after an error or during a restart. */
   read<T>(take: (state: State, studio: Studio) => T): T | undefined {
     return this.ask((studio) => take(studio.state(), studio));
@@ -198,60 +209,30 @@ export class Host {
     }
   }
 
-  /** @param listener called after each change of the document or of a choice */
-  onChange(listener: (state: State) => void) {
-    this.#changeListeners.add(listener);
-  }
-
-  /** @param listener called after each change, and for each tick of an edit in progress */
-  onTick(listener: (tick: Tick) => void) {
-    this.#tickListeners.add(listener);
-  }
-
-  /** @param listener called after each drawn frame */
-  onFrame(listener: () => void) {
-    this.#frameListeners.add(listener);
-  }
-
-  /** @param listener called when the photo has followed the edits, at most once per frame */
-  onPhoto(listener: () => void) {
-    this.#photoListeners.add(listener);
-  }
-
-  /** @param listener called with the widgets of the panels that have changed */
-  onPanel(listener: (widgets: Widget[]) => void) {
-    this.#panelListeners.add(listener);
-  }
-
-  /** @param listener called with announcements for screen readers */
-  onSaid(listener: (said: Phrase) => void) {
-    this.#say = listener;
-  }
-
-  /** @param listener restores the work after a restart */
-  onRestart(listener: () => Promise<void>) {
-    this.#restartListeners.add(listener);
-  }
-
-  /** Notifies all change and tick listeners. */
+  /** Notifies all listeners of the state. */
   announce() {
     const state = this.ask((studio) => studio.state());
     if (!state) return;
-    for (const listener of this.#changeListeners) this.ask(() => listener(state));
-    for (const listener of this.#tickListeners) this.ask(() => listener(state.tick));
+    this.#emit("change", state);
+    this.#emit("tick", state.tick);
     this.#showPanels(false);
+  }
+
+  #announceTick() {
+    const tick = this.ask((studio) => studio.tick());
+    if (!tick) return;
+    this.#emit("tick", tick);
+    this.#showPanels(true);
   }
 
   /** @param isTick whether only the edit in progress has changed */
   #showPanels(isTick: boolean) {
-    if (this.#panelListeners.size === 0) return;
-    const diff = this.ask((studio) => studio.panelDiff(isTick));
-    if (diff && diff.widgets.length > 0) for (const listener of this.#panelListeners) this.ask(() => listener(diff.widgets));
+    if (!this.#listeners.panel) return;
+    const widgets = this.ask((studio) => studio.panelDiff(isTick))?.widgets ?? [];
+    if (widgets.length > 0) this.#emit("panel", widgets);
   }
 
-  /**
-   * Updates the edited photo. The factorisation and the listeners run in separate tasks to keep the page responsive.
-   */
+  /** Updates the edited photo. The factorisation and the listeners run in separate tasks to keep the page responsive. */
   async updatePhoto() {
     if (this.#photoIsPending) return;
     this.#photoIsPending = true;
@@ -260,7 +241,7 @@ export class Host {
     if (this.ask((studio) => studio.photoIsDue)) this.act((studio) => studio.followPhoto());
     this.requestFrame();
     await nextTask();
-    for (const listener of this.#photoListeners) this.ask(() => listener());
+    this.#emit("photo", undefined);
     this.#showPanels(true);
   }
 
@@ -274,18 +255,11 @@ export class Host {
     });
   }
 
-  #notifyTick() {
-    const tick = this.ask((studio) => studio.tick());
-    if (!tick) return;
-    for (const listener of this.#tickListeners) this.ask(() => listener(tick));
-    this.#showPanels(true);
-  }
-
   #draw(time_ms: number) {
     if (!this.#gpu.isAvailable || this.#isBroken) return;
     try {
       const wantsMore = this.answer((studio) => studio.draw(time_ms));
-      for (const listener of this.#frameListeners) listener();
+      this.#emit("frame", undefined);
       if (wantsMore) this.requestFrame();
     } catch (error) {
       if (asPageError(error).code !== "device-lost") this.fail(error);
@@ -299,16 +273,16 @@ export class Host {
     this.#instance = {};
     console.warn("restarting the module after a trap:", trap);
     const now_ms = performance.now();
-    this.#restarts = [...this.#restarts.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];
+    this.#restarts_ms = [...this.#restarts_ms.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];
     try {
-      if (this.#restarts.length > MAX_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
+      if (this.#restarts_ms.length > MAX_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
       const studio = await restartStudio(this.canvas);
       if (this.closed.aborted) return studio.free();
       this.#studio = studio;
       this.#isBroken = false;
       this.#gpu.watch();
-      this.#fitSize?.();
-      for (const listener of this.#restartListeners) await listener();
+      this.#fitSize();
+      for (const restore of this.#restorers) await restore();
       this.announce();
       this.updatePhoto();
       this.#notices.hide("gpu");
@@ -317,28 +291,4 @@ export class Host {
       this.#notices.show(error, "studio");
     }
   }
-
-  #fitSize: (() => void) | undefined;
-
-  #followSize() {
-    const observer = new ResizeObserver(([entry]) => {
-      if (!entry) return;
-      const size = deviceSize(entry);
-      this.#fitSize = () => this.apply({ resize: [[size.width_px, size.height_px], devicePixelRatio] });
-      this.#fitSize();
-    });
-    observer.observe(this.canvas);
-    this.closed.addEventListener("abort", () => observer.disconnect());
-  }
-}
-
-/** Size of the canvas in device pixels; exact if the browser reports it. */
-function deviceSize(entry: ResizeObserverEntry) {
-  const about = { width_px: entry.contentRect.width * devicePixelRatio, height_px: entry.contentRect.height * devicePixelRatio };
-  const exact = entry.devicePixelContentBoxSize?.[0];
-  // Only corrects rounding: a larger difference means that the browser counts other pixels.
-  const isCorrection = exact && Math.abs(exact.inlineSize - about.width_px) < 2;
-  const width_px = isCorrection ? exact.inlineSize : about.width_px;
-  const height_px = isCorrection ? exact.blockSize : about.height_px;
-  return { width_px: Math.max(1, Math.round(width_px)), height_px: Math.max(1, Math.round(height_px)) };
 }

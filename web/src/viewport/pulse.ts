@@ -26,9 +26,9 @@ export function setUpPulse(host: Host) {
     show();
   });
   // The selection has its own marker.
-  host.onChange(({ selected }) => {
+  host.on("change", ({ selected }) => {
     isSelected = selected !== undefined;
     show();
   });
-  host.onFrame(place);
+  host.on("frame", place);
 }

@@ -1,60 +1,35 @@
 import { isTyping } from "../page/dom.ts";
 import type { Host } from "./host.ts";
+import type { Key } from "../../wasm/rosto-studio-web.js";
 
-/** Drag distance that corresponds to one press of an arrow key, in CSS px. */
-const STEP_PX = 24;
-const ZOOM_STEP = 1.1;
-
-const ARROWS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-
-/** Sets up the keys of the 3D view, active while the canvas has the focus. */
-export function setUpViewKeys(host: Host, onGesture?: (action: "turn") => void) {
-  host.canvas.addEventListener("keydown", (event) => {
-    if (moveByArrow(host, event, onGesture) || chooseView(host, event) || clearSelection(host, event)) event.preventDefault();
-  });
+/**
+ * Sets up the keys that the session lists, on the whole page or in an element.
+ *
+ * @param onKey is called with the id of a pressed key
+ */
+export function setUpKeys(host: Host, root: EventTarget = window, onKey: (id: string) => void = () => {}) {
+  const press = (event: KeyboardEvent) => {
+    const isCancelling = event.key === "Escape";
+    const isElsewhere = isTyping(event) || (root === window && document.querySelector("dialog[open]") !== null);
+    for (const { id, place } of host.catalogue.keys.filter((key) => isPressed(key, event))) {
+      const isOnCanvas = place === "canvas";
+      if (isOnCanvas ? event.target !== host.canvas : isElsewhere && !isCancelling) continue;
+      // Other parts of the page follow Escape too.
+      if (isOnCanvas || !isCancelling) event.preventDefault();
+      onKey(id);
+      host.applyShown({ push: id });
+    }
+  };
+  root.addEventListener("keydown", (event) => event instanceof KeyboardEvent && press(event), { signal: host.closed });
 }
 
-/** Sets up undo and redo on the whole page, except while typing. */
-export function setUpEditKeys(actions: { undo: () => void; redo: () => void; cancel: () => void; }) {
-  addEventListener("keydown", (event) => {
-    if (event.isComposing) return;
-    if (event.key === "Escape") return actions.cancel();
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event)) return;
-    const key = event.key.toLowerCase();
-    if (key !== "z" && key !== "y") return;
-    event.preventDefault();
-    if (key === "y" || event.shiftKey) actions.redo();
-    else actions.undo();
-  });
-}
-
-function moveByArrow(host: Host, event: KeyboardEvent, onGesture?: (action: "turn") => void) {
-  const arrow = ARROWS[event.key];
-  if (!arrow) return false;
-  const [x, y] = arrow;
-  const by_px: [number, number] = [x * STEP_PX * devicePixelRatio, y * STEP_PX * devicePixelRatio];
-  if (event.altKey) host.apply({ zoom: y < 0 ? ZOOM_STEP : 1 / ZOOM_STEP });
-  else if (event.shiftKey && (event.ctrlKey || event.metaKey)) host.apply({ pan: by_px });
-  else {
-    onGesture?.("turn");
-    host.apply({ orbit: by_px });
-  }
-  return true;
-}
-
-function chooseView(host: Host, event: KeyboardEvent) {
-  if (event.ctrlKey || event.metaKey || event.altKey) return false;
-  const views = ({ f: "front", l: "left", t: "top", " ": "reset" } as const);
-  const key = event.key.toLowerCase();
-  if (key === "w") host.applyShown({ set: ["view.wireframe", !host.read(({ wireframe }) => wireframe)] });
-  if (!(key in views)) return false;
-  host.apply({ "go-to": views[(key as keyof typeof views)] });
-  return true;
-}
-
-/** Escape clears the selection. During a drag, it cancels the drag instead. */
-function clearSelection(host: Host, event: KeyboardEvent) {
-  if (event.key !== "Escape") return false;
-  host.apply({ select: undefined });
-  return true;
+function isPressed({ key, with: held }: Key, event: KeyboardEvent) {
+  const [hasCtrl, { altKey, shiftKey }] = [event.ctrlKey || event.metaKey, event];
+  const isHeld = {
+    nothing: !hasCtrl && !altKey,
+    alt: !hasCtrl && altKey,
+    ctrl: hasCtrl && !altKey && !shiftKey,
+    "ctrl-shift": hasCtrl && !altKey && shiftKey,
+  }[held];
+  return isHeld && !event.isComposing && (event.key === key || event.key.toLowerCase() === key);
 }

@@ -5,8 +5,11 @@ import type { Host } from "./host.ts";
 /** Minimum width for both views, in CSS px; same as in stage.css. */
 const WIDE_WINDOW = matchMedia("(width >= 1080px)");
 
-/** Shows the photo next to the 3D face if the window is wide enough. A click on the photo opens it on the stage. */
-export function setUpSplitView(host: Host) {
+/**
+ * Sets up the views of photo and 3D face, and the body's `data-scene`. If the window is wide enough, both can be seen
+ * next to each other; a click on the photo opens it on the stage.
+ */
+export function setUpViews(host: Host) {
   const button = byId("split-view", HTMLButtonElement);
   const photo = byId("photo-pane", HTMLButtonElement);
   let isWanted = remembered("split-view") === "yes";
@@ -28,9 +31,12 @@ export function setUpSplitView(host: Host) {
     if (wanted) host.apply({ scene: "solid" });
     setWanted(wanted);
   });
-  photo.addEventListener("click", () => host.apply({ scene: "picture" }));
+  for (const picture of [photo, byId("photo-to-stage", HTMLButtonElement)]) {
+    picture.addEventListener("click", () => host.apply({ scene: "picture" }));
+  }
   WIDE_WINDOW.addEventListener("change", show);
-  host.onChange(({ chosen }) => {
+  host.on("change", ({ chosen }) => {
+    document.body.dataset["scene"] = chosen["scene"] ?? "solid";
     isPhoto = chosen["scene"] === "picture";
     show();
   });

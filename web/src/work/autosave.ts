@@ -52,7 +52,7 @@ export class Autosave {
 
   /** Saves after each change from now on. */
   follow(host: Host) {
-    host.onChange(() => {
+    host.on("change", () => {
       if (this.#now) this.#saveSoon();
     });
   }

@@ -49,6 +49,20 @@ export class FaceFiles {
     return this.#vision.request("edited-photo", { face, files: [lead.source], lead, falloffBand, mediaType });
   }
 
+  /** Cancels the files that are being made. */
+  cancel() {
+    this.#vision.cancel();
+  }
+
+  /** Runs the paper's experiment on the face as it was found; undefined if it was stopped. */
+  async paper(report: (share: number) => void) {
+    return this.#vision.request("paper", { face: this.#open().face }, (_, share) => report(share));
+  }
+
+  stopPaper() {
+    this.#vision.request("stop-paper", {}).catch(() => {});
+  }
+
   /** The whole-face texture. */
   async texture(): Promise<ImageBitmap> {
     const { face, files } = this.#open();

@@ -8,7 +8,7 @@ import type { Tasks } from "./tasks.ts";
 /** An error, as both wasm modules throw it. */
 export type PageError = { code: string; message: string; hint: string; maxMm?: number };
 
-export type Stage = "decode" | "detect" | "landmarks";
+export type Stage = "decode" | "detect" | "landmarks" | "paper";
 
 export type Report = (stage: Stage, fraction: number) => void;
 

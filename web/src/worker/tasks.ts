@@ -4,12 +4,17 @@ import { asPageError } from "../page/page-error.ts";
 import { bytesOf } from "../work/bytes.ts";
 import { bitmapOf, encoded } from "../work/pixels.ts";
 import { readPixels } from "./frames.ts";
+import { runPaper } from "./paper.ts";
 import { decoded, keepPictures, readFile } from "./source-files.ts";
 import type { FaceRequest, FileOptions } from "../../wasm/rosto-vision-web.js";
 import type { SourceFile } from "../work/face.ts";
 import type { PhotoType, Report } from "./protocol.ts";
 
 const MAX_FACES = 20;
+
+/** Random choices of handles and anchors for each method of the paper. The first equals the command line's first run. */
+const PAPER_RUNS = 5;
+const PAPER_SEED = 0;
 
 /** A request that reads pictures brings their files, so that a restarted worker can decode them again. */
 type WithFiles<T> = T & { files: SourceFile[] };
@@ -19,6 +24,8 @@ type EditedPhoto = OfFace<{ lead: { picture: string; source: SourceFile }; fallo
 let vision: Promise<Vision>;
 let networkUrls: string[] = [];
 let networks: Promise<void> | undefined;
+/** Number of the paper's latest run. */
+let paperRun = 0;
 /** Queue: a task must not drop the pictures of another one. */
 let queue: Promise<unknown> = Promise.resolve();
 
@@ -72,6 +79,21 @@ export const tasks = {
       const edited = await decoded(file, await bytesOf(file), (bytes) => module.editedPhoto(face, bytes, falloffBand));
       return encoded(edited, mediaType);
     }),
+
+  /** Runs the paper's experiment next to other tasks; undefined if it was stopped. A new run stops the last one. */
+  paper: async ({ face }: { face: FaceRequest }, report: Report) => {
+    const number = ++paperRun;
+    const run = (await vision).paper(face, PAPER_RUNS, PAPER_SEED);
+    try {
+      return await runPaper(run, (share) => report("paper", share), () => number === paperRun);
+    } finally {
+      run.free();
+    }
+  },
+
+  "stop-paper": async (_: object) => {
+    paperRun += 1;
+  },
 
   /**
    * Follows a face into the next frame of a camera stream. `landmarks`: 478 × (x/W, y/H, z/W), smoothed over time;

@@ -77,7 +77,8 @@ pub(crate) const KEYS: [Key; 22] = [
     }),
     key("key.deselect", "Escape", Held::Nothing, Place::Canvas, |_| Intent::Select(None)),
     key("key.scene", "p", Held::Nothing, Place::Page, |session| {
-        Intent::Scene(if session.view().scene == Scene::Picture { Scene::Solid } else { Scene::Picture })
+        let shows_face = session.face().is_none() || session.view().scene == Scene::Picture;
+        Intent::Scene(if shows_face { Scene::Solid } else { Scene::Picture })
     }),
     key("key.undo", "z", Held::Ctrl, Place::Page, |_| Intent::Undo),
     key("key.redo", "z", Held::CtrlShift, Place::Page, |_| Intent::Redo),

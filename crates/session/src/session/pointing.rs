@@ -72,7 +72,7 @@ impl Session {
         Changed::View
     }
 
-    fn hit_at(&self, position_px: DVec2, pointer: Pointer) -> Hovered {
+    pub(super) fn hit_at(&self, position_px: DVec2, pointer: Pointer) -> Hovered {
         match &self.face {
             Some(face) if position_px.is_finite() => {
                 gesture::hit_test(face, &self.stage, self.mode, position_px, pointer)
@@ -149,10 +149,5 @@ impl Session {
             return Ok(Changed::Document);
         }
         if is_dragging { self.finish(OpenFace::commit) } else { Ok(Changed::Nothing) }
-    }
-
-    pub(super) fn vertex_at(&self, position_px: DVec2) -> Option<u32> {
-        let ray = self.stage.camera().ray(position_px);
-        self.face.as_ref().filter(|_| position_px.is_finite())?.pick(&ray, self.mode)
     }
 }

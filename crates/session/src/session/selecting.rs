@@ -1,5 +1,6 @@
 use glam::DVec2;
 use rosto_face::LANDMARK_COUNT;
+use rosto_stage::Pointer;
 use rosto_studio::{SMOOTH_DENSITY, Switch};
 
 use super::opening::prepare;
@@ -44,7 +45,10 @@ impl Session {
 
     /// Selects under the pointer; clears the selection outside the face.
     pub(super) fn select_under(&mut self, position_px: DVec2) -> Result {
-        match self.vertex_at(position_px) {
+        let hit = self.hit_at(position_px, Pointer::Fine);
+        match hit.vertex {
+            // The gizmo belongs to the selection.
+            _ if hit.axis.is_some() => Ok(Changed::Nothing),
             Some(vertex) => self.select_at(vertex),
             None if self.face.is_some() => self.select(None),
             None => Ok(Changed::Nothing),
@@ -65,7 +69,7 @@ impl Session {
     }
 
     pub(super) fn toggle_pin_at(&mut self, position_px: DVec2) -> Result {
-        let vertex = self.vertex_at(position_px);
+        let vertex = self.hit_at(position_px, Pointer::Fine).vertex;
         let (Some(face), Some(vertex)) = (&mut self.face, vertex) else { return Ok(Changed::Nothing) };
         let switch = if face.pins().contains(&vertex) { Switch::Off } else { Switch::On };
         face.pin(&[vertex], switch, &self.edit_options);

@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::DVec3;
 use proptest::prelude::*;
 use rosto_session::{
-    Catalogue, Changed, Control, GroupLook, Intent, MAX_LISTED, Part, Phrase, Selection, SelectionMode, Session, Value, Widget,
+    Catalogue, Changed, Control, GroupLook, Intent, MAX_LISTED, Part, Phrase, Selection, SelectionMode, Session, Value,
+    Widget,
 };
 use rosto_studio::FaceSlider;
 use serde_json::Value as Json;

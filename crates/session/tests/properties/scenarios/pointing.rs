@@ -114,6 +114,25 @@ fn is_grabbed(session: &mut Session, position_px: DVec2, pointer: Pointer) -> Op
 }
 
 #[test]
+fn a_click_selects_what_is_highlighted() {
+    for (mode, density) in [(SelectionMode::Landmark, 0), (SelectionMode::Landmark, 1), (SelectionMode::Point, 1)] {
+        let mut session = session();
+        act(&mut session, Intent::Density(density));
+        act(&mut session, Intent::Mode(mode));
+        let mut clicks = 0;
+        for position_px in grid_px() {
+            act(&mut session, Intent::Hover(Some(position_px)));
+            let (hovered, before) = (session.hovered(), face(&session).selected());
+            act(&mut session, Intent::SelectUnder(position_px));
+            let expected = if hovered.axis.is_some() { before } else { hovered.vertex };
+            assert_eq!(face(&session).selected(), expected, "{mode:?} {position_px}");
+            clicks += usize::from(hovered.vertex.is_some());
+        }
+        assert!(clicks > 50, "{clicks} clicks on the face");
+    }
+}
+
+#[test]
 fn a_press_grabs_the_highlighted_vertex_in_each_mode() {
     for (mode, density) in [
         (SelectionMode::Landmark, 0),

@@ -1,0 +1,39 @@
+/**
+ * Follows the size of a canvas in device pixels, also when the device-pixel ratio changes. Returns a function that
+ * applies the size again.
+ */
+export function followSize(canvas: HTMLCanvasElement, apply: (size_px: [number, number]) => void, signal: AbortSignal) {
+  let entry: ResizeObserverEntry | undefined;
+  const fit = () => entry && apply(deviceSize(entry));
+  const observer = new ResizeObserver(([latest]) => {
+    entry = latest;
+    fit();
+  });
+  try {
+    observer.observe(canvas, { box: "device-pixel-content-box" });
+  } catch {
+    // WebKit does not have it.
+    observer.observe(canvas);
+  }
+  signal.addEventListener("abort", () => observer.disconnect());
+  followPixelRatio(fit, signal);
+  return fit;
+}
+
+function followPixelRatio(fit: () => void, signal: AbortSignal) {
+  const onChange = () => {
+    fit();
+    followPixelRatio(fit, signal);
+  };
+  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", onChange, { once: true, signal });
+}
+
+/** Size of the canvas in device pixels; exact if the browser reports it. */
+function deviceSize({ contentRect, devicePixelContentBoxSize: [exact] = [] }: ResizeObserverEntry): [number, number] {
+  const [width_px, height_px] = [contentRect.width * devicePixelRatio, contentRect.height * devicePixelRatio];
+  // Only corrects rounding: a larger difference means that the browser counts other pixels.
+  const isCorrection = exact && Math.abs(exact.inlineSize - width_px) < 2;
+  const size_px = isCorrection ? [exact.inlineSize, exact.blockSize] : [width_px, height_px];
+  const [width = 1, height = 1] = size_px.map((side) => Math.max(1, Math.round(side)));
+  return [width, height];
+}
