@@ -1,6 +1,6 @@
 import { byId, make, makeIcon } from "../page/dom.ts";
 import { toast } from "../page/toast.ts";
-import { faceBox } from "../photo/face-box.ts";
+import { faceThumbnail } from "../photo/face-box.ts";
 import { onLocaleChange, t } from "../words/words.ts";
 import { photoOf, viewsOf } from "../work/face.ts";
 import { textOf } from "./phrase.ts";
@@ -56,13 +56,11 @@ export function setUpPhotos(host: Host, opening: Opening, vision: VisionClient) 
   };
   const drawThumbnail = async (canvas: HTMLCanvasElement, { photos, pictures: [picture = ""], files }: FacePhoto) => {
     const whole = await vision.request("picture", { picture, files });
-    const { x, y, side } = faceBox(viewsOf(photos)[0]?.landmarks ?? new Float32Array(), whole.width, whole.height);
-    const crop = AROUND_FACE * side;
-    canvas.width = canvas.height = Math.round(THUMBNAIL_PX * devicePixelRatio);
-    const context = canvas.getContext("2d");
-    if (context) context.imageSmoothingQuality = "high";
-    context?.drawImage(whole, x - crop / 2, y - crop / 2, crop, crop, 0, 0, canvas.width, canvas.height);
-    whole.close();
+    const [{ landmarks } = { landmarks: new Float32Array() }] = viewsOf(photos);
+    const thumbnail = await faceThumbnail(whole, landmarks, AROUND_FACE, THUMBNAIL_PX).finally(() => whole.close());
+    canvas.width = canvas.height = thumbnail.width;
+    canvas.getContext("2d")?.drawImage(thumbnail, 0, 0);
+    thumbnail.close();
   };
   const count = () => opening.face?.pictures.length ?? 0;
   const change = async (act: () => Promise<void>) => {

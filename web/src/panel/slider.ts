@@ -80,13 +80,15 @@ export function makeSlider(id: string, { range: limits, unit, axis }: Slider, se
     mark(number === undefined);
     if (number !== undefined) set(number);
   });
-  field.addEventListener("change", () => {
+  /** Takes the typed number. Not on "change", which browsers leave out if they remember the same text from before. */
+  const commit = () => {
     const number = typed();
     endTyping();
     set(number ?? before);
     end(number === undefined ? "cancel" : "commit");
-  });
+  };
   field.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && isTyping()) commit();
     const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     if (!steps) return;
     event.preventDefault();
@@ -100,7 +102,8 @@ export function makeSlider(id: string, { range: limits, unit, axis }: Slider, se
     end("cancel");
   });
   element.addEventListener("focusout", () => {
-    // A new face takes the focus without a change event.
+    // A field that another face has disabled or hidden loses the focus too.
+    if (isTyping() && !field.disabled && field.checkVisibility()) commit();
     endTyping();
     if (pending) end("commit");
   });

@@ -21,7 +21,7 @@ pub struct Key {
     pub key: &'static str,
     /// Keys that are held with it.
     pub with: Held,
-    /// Where it works.
+    /// The part of the page in which it works.
     pub place: Place,
     #[serde(skip)]
     act: fn(&Session) -> Intent,
@@ -41,7 +41,7 @@ pub enum Held {
     CtrlShift,
 }
 
-/// Where a key works.
+/// The part of the page in which a key works.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Tsify)]
 #[serde(rename_all = "kebab-case")]
 pub enum Place {
