@@ -7,7 +7,7 @@ import { STATES, allowDelayedReplies, problemsOf } from "./states.mjs";
 /** States that show most of the page's texts. */
 const SEEN = STATES.filter(({ id }) => ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"].includes(id));
 
-const LARGE_FONTS = variants([{ font_px: 32, width: 1440, height: 900 }, { font_px: 24, width: 1280, height: 720 }, { font_px: 24, width: 390, height: 844 }]);
+const LARGE_FONTS = variants([{ font_px: 32, width: 1440, height: 900 }, { font_px: 24, width: 1280, height: 720 }, { font_px: 24, width: 480, height: 900 }]);
 
 for (const [{ font_px, width, height }, tag] of LARGE_FONTS) {
   test(`with a font size of ${font_px} px in a window of ${width} × ${height}, texts are larger and nothing is cut`, { tag }, async ({ open }) => {

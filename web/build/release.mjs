@@ -12,8 +12,8 @@ export const UNNAMED = "VERSION";
 
 /** Link or script of the page with a hash to be filled in. */
 const CHECKED = new RegExp(`((?:src|href)="${UNNAMED}/([^"]+)" integrity=")[^"]*`, "g");
-const LOADING = /(?<=<p id="loading"[^>]*>)(?=<\/p>)/;
-const NOT_STARTED = /(?<=<div id="not-started-words">)(?=<\/div>)/;
+const LOADING = /(?<=<p id="loading"[^>]*>)[\s\S]*?(?=<\/p>)/;
+const NOT_STARTED = /(?<=<div id="not-started-words">)[\s\S]*?(?=<\/div>)/;
 
 /** Downloaded only by browsers without WebGPU. */
 const FALLBACK = /^rosto-studio-webgl/;
