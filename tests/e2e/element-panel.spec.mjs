@@ -27,5 +27,4 @@ test("with the attribute panel, the element shows the page's shape panel, and ea
   await expect(panel("one").locator("#section-face summary")).toHaveText("Proporções");
   await visitor.act((face) => face.removeAttribute("panel"));
   await expect(panel("one")).toBeHidden();
-  await page.screenshot({ path: "/tmp/el2/panel.png", fullPage: true });
 });

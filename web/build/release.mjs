@@ -12,8 +12,9 @@ export const UNNAMED = "VERSION";
 
 /** Link or script of the page with a hash to be filled in. */
 const CHECKED = new RegExp(`((?:src|href)="${UNNAMED}/([^"]+)" integrity=")[^"]*`, "g");
-const LOADING = /(?<=<p id="loading"[^>]*>)(?=<\/p>)/;
-const NOT_STARTED = /(?<=<div id="not-started-words">)(?=<\/div>)/;
+// Also where an earlier release has filled them.
+const LOADING = /(?<=<p id="loading"[^>]*>)[\s\S]*?(?=<\/p>)/;
+const NOT_STARTED = /(?<=<div id="not-started-words">)[\s\S]*?(?=<\/div>)/;
 
 /** @param {string} dist folder with `index.html` and the folder {@link UNNAMED} */
 export async function release(dist) {
