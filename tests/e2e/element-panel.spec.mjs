@@ -19,7 +19,6 @@ test("with the attribute panel, the element shows the page's shape panel, and ea
   }
   assert.deepEqual(await states(), [3, 1.5]);
   assert.equal((await visitor.names()).filter((name) => name === "rosto-change").length, 2);
-  await panel("one").locator("#section-history summary").first().click();
   await panel("one").getByRole("button", { name: "Undo", exact: true }).click();
   assert.deepEqual(await states(), [0, 1.5]);
   assert.ok(await page.isEnabled("[data-of=host]"), "a button of the host page is disabled");
@@ -28,5 +27,4 @@ test("with the attribute panel, the element shows the page's shape panel, and ea
   await expect(panel("one").locator("#section-face summary")).toHaveText("Proporções");
   await visitor.act((face) => face.removeAttribute("panel"));
   await expect(panel("one")).toBeHidden();
-  await page.screenshot({ path: "/tmp/el2/panel.png", fullPage: true });
 });

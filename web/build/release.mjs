@@ -12,11 +12,9 @@ export const UNNAMED = "VERSION";
 
 /** Link or script of the page with a hash to be filled in. */
 const CHECKED = new RegExp(`((?:src|href)="${UNNAMED}/([^"]+)" integrity=")[^"]*`, "g");
+// Also where an earlier release has filled them.
 const LOADING = /(?<=<p id="loading"[^>]*>)[\s\S]*?(?=<\/p>)/;
 const NOT_STARTED = /(?<=<div id="not-started-words">)[\s\S]*?(?=<\/div>)/;
-
-/** Downloaded only by browsers without WebGPU. */
-const FALLBACK = /^rosto-studio-webgl/;
 
 /** @param {string} dist folder with `index.html` and the folder {@link UNNAMED} */
 export async function release(dist) {
@@ -40,13 +38,12 @@ export async function release(dist) {
  * @param {Record<string, string>} files
  */
 async function buildServiceWorker(dist, version, files) {
-  const select = (isFallback) => Object.fromEntries(Object.entries(files).filter(([name]) => FALLBACK.test(name) === isFallback));
   await build({
     ...SHARED,
     format: "iife",
     entryPoints: ["src/service-worker.ts"],
     outfile: path.resolve(dist, "service-worker.js"),
-    define: { BUILD: JSON.stringify({ version, files: select(false), fallback: select(true) }) },
+    define: { BUILD: JSON.stringify({ version, files }) },
   });
 }
 

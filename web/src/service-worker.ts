@@ -6,11 +6,13 @@
  * A cache is kept while a tab uses its version; tabs show that by a Web Lock. See offline.ts.
  */
 
-/** Hashes by file name, from the build; `fallback`: only for browsers without WebGPU, whose page adds a parameter. */
-declare const BUILD: { version: string; files: Record<string, string>; fallback: Record<string, string> };
+/** Hashes by file name, from the build. */
+declare const BUILD: { version: string; files: Record<string, string> };
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
 
+/** Files for browsers without WebGPU, whose page adds a parameter to the address of this script. */
+const FALLBACK = /^rosto-studio-webgl/;
 const PREFIX = "rosto-";
 const PAGE = "./";
 const VERSION_FOLDER = /\/([0-9a-f]{16})\/[^/]+$/;
@@ -35,8 +37,8 @@ async function store() {
   const cache = await caches.open(PREFIX + BUILD.version);
   const page = await fetch(PAGE, { cache: "no-cache" });
   if (!(await page.clone().text()).includes(`${BUILD.version}/`)) throw new Error("the page has another version");
-  const files = { ...BUILD.files, ...(location.search && BUILD.fallback) };
-  const stored = Object.entries(files).map(([file, hash]) => storeFile(cache, `${BUILD.version}/${file}`, hash));
+  const files = Object.entries(BUILD.files).filter(([name]) => location.search !== "" || !FALLBACK.test(name));
+  const stored = files.map(([name, hash]) => storeFile(cache, `${BUILD.version}/${name}`, hash));
   await Promise.all(stored);
   // Last, as it marks the cache as complete.
   await cache.put(PAGE, page);

@@ -53,7 +53,8 @@ export function index(name: string, value: unknown, count: number) {
 
 export function point(name: string, value: unknown) {
   const parts = plain(name, value);
-  if (!Array.isArray(parts) || parts.length !== 3) return refuse("bad-number", name, value, "[x, y, z]");
+  if (!Array.isArray(parts)) return refuse("bad-number", name, value, "[x, y, z]");
+  if (parts.length !== 3) return refuse("bad-number", `length of ${name}`, parts.length, "3");
   return parts.map((part, axis) => finite(`${name}.${axis}`, part)) as [number, number, number];
 }
 
@@ -84,6 +85,5 @@ function refuse(code: "bad-choice" | "bad-number", name: string, value: unknown,
 
 function described(value: unknown) {
   if (typeof value === "string") return JSON.stringify(value.slice(0, MAX_SHOWN));
-  if (Array.isArray(value)) return `an array of ${value.length}`;
   return /object|function/.test(typeof value) && value !== null ? `of type ${typeof value}` : String(value);
 }
