@@ -7,7 +7,10 @@ mod common;
 use common::{SIDE, edits, gradient, model, rebuilt};
 use glam::{DQuat, DVec3};
 use rosto_export::*;
-use rosto_face::{FaceError, FaceModel, LANDMARK_COUNT, MAX_PHOTOS, Observation, Photo, PhotoLens, Triangulation, canonical_positions_m};
+use rosto_face::{
+    FaceError, FaceModel, LANDMARK_COUNT, MAX_PHOTOS, Observation, Photo, PhotoLens, Triangulation,
+    canonical_positions_m,
+};
 
 const EDITS: &str = r#"{"entries":[],"version":1}"#;
 

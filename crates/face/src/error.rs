@@ -24,7 +24,10 @@ pub enum FaceError {
     #[error("the landmarks do not form a face: they are far outside the picture, or within less than a pixel")]
     Implausible,
     /// The landmarks are too far from those of any face.
-    #[error("the landmarks are not a face: they deviate from the average face by {deviation_mm:.0} mm, and the limit is {most_mm} mm")]
+    #[error(
+        "the landmarks are not a face: they deviate from the average face by {deviation_mm:.0} mm, and the limit is \
+        {most_mm} mm"
+    )]
     NotAFace {
         /// Root mean square distance from the canonical face, in mm of its size.
         deviation_mm: f64,

@@ -145,13 +145,17 @@ fn landmarks_that_cannot_be_a_face_are_refused() {
     }
     let rough = |index: usize, at: [f32; 3]| [0, 1, 2].map(|axis| at[axis] + 0.15 * hashed(3 * index + axis));
     let refusal = refused(&rough);
-    assert!(matches!(refusal, FaceError::Folded { inside_out_per_cent, .. } if inside_out_per_cent > 25.0), "{refusal}");
+    assert!(
+        matches!(refusal, FaceError::Folded { inside_out_per_cent, .. } if inside_out_per_cent > 25.0),
+        "{refusal}"
+    );
 }
 
 /// A margin of three: real faces deviate by up to 9 mm.
 #[test]
 fn strange_faces_are_accepted() {
-    for (width, height, depth) in [(2.0, 1.0, 1.0), (1.0, 2.0, 1.0), (1.0, 1.0, 2.0), (1.0, 1.0, 0.1), (0.6, 1.0, 1.0)] {
+    for (width, height, depth) in [(2.0, 1.0, 1.0), (1.0, 2.0, 1.0), (1.0, 1.0, 2.0), (1.0, 1.0, 0.1), (0.6, 1.0, 1.0)]
+    {
         let mut observation = canonical();
         for [x, y, z] in &mut observation.landmarks {
             [*x, *y, *z] = [0.5 + (*x - 0.5) * width, 0.5 + (*y - 0.5) * height, *z * depth];

@@ -123,12 +123,12 @@ impl Taps {
     #[inline(always)]
     fn blend(&self, shift: u32, values: &mut Block<f32>) {
         let ([above, above_right, below, below_right], [fxs, fys]) = (&self.pixels, &self.fractions);
-        for at in 0..BLOCK {
+        for (at, value) in values.iter_mut().enumerate() {
             let channel = |pixels: &Block<u32>| pixels[at] >> shift & 0xFF;
             let (fx, fy) = (fxs[at], fys[at]);
             let upper = channel(above) * (32 - fx) + channel(above_right) * fx;
             let lower = channel(below) * (32 - fx) + channel(below_right) * fx;
-            values[at] = ((upper * (32 - fy) + lower * fy + 512) >> 10) as i32 as f32;
+            *value = ((upper * (32 - fy) + lower * fy + 512) >> 10) as i32 as f32;
         }
     }
 }

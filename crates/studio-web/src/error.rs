@@ -25,8 +25,7 @@ const OTHER_VERSION: (&str, &str) =
     ("other-version", "Reload the page to get its newest version, or open the photo instead.");
 
 /// Code and hint of a history that is too long or takes too long.
-const TOO_MANY_EDITS: (&str, &str) =
-    ("too-many-edits", "Undo some of the edits, or open an earlier copy of the file.");
+const TOO_MANY_EDITS: (&str, &str) = ("too-many-edits", "Undo some of the edits, or open an earlier copy of the file.");
 
 /// The types of numbers in messages; serde's error about one ends with its type.
 const NUMBERS: &str = "f64, u32, usize, u8";
@@ -61,7 +60,7 @@ impl FacadeError {
             ReopenError::Face(FaceError::RecordVersion { .. }) | ReopenError::Version { .. } => {
                 Self::new(OTHER_VERSION.0, error.to_string(), OTHER_VERSION.1)
             }
-            ReopenError::Face(error) => error.into(),
+            ReopenError::Face(error) if !matches!(error, FaceError::PhotoCount { .. }) => error.into(),
             _ => Self::new("bad-history", error.to_string(), "Open an earlier copy of the file, or the photo."),
         }
     }

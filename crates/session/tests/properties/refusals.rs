@@ -4,9 +4,7 @@ use glam::{DVec2, DVec3};
 use rosto::SavedFace;
 use rosto_face::{FaceError, MAX_DENSITY, Observation, Triangulation};
 use rosto_laplacian::LaplacianError;
-use rosto_session::{
-    Intent, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError,
-};
+use rosto_session::{Intent, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError};
 use rosto_stage::Light;
 use rosto_studio::project::ProjectError;
 use rosto_studio::{FaceSlider, StudioError, Switch};

@@ -5,7 +5,8 @@ use thiserror::Error;
 
 use super::VERSION;
 use crate::{
-    AnchorKind, Anchors, Command, Details, EditSpec, Entry, Expression, MAX_ENTRIES, Mirror, RegionOfInfluence, Settings, Switch,
+    AnchorKind, Anchors, Command, Details, EditSpec, Entry, Expression, MAX_ENTRIES, Mirror, RegionOfInfluence,
+    Settings, Switch,
 };
 
 /// Why text cannot be read as a history.
