@@ -25,7 +25,8 @@ pub enum FaceError {
     Implausible,
     /// The landmarks are too far from those of any face.
     #[error(
-        "the landmarks are not a face: they deviate from the average face by {deviation_mm:.0} mm, and the limit is {most_mm} mm"
+        "the landmarks are not a face: they deviate from the average face by {deviation_mm:.0} mm, and the limit is \
+        {most_mm} mm"
     )]
     NotAFace {
         /// Root mean square distance from the canonical face, in mm of its size.

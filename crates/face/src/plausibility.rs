@@ -25,8 +25,7 @@ pub(crate) fn check(landmarks: &[[f32; 3]], photo_size_px: [u32; 2]) -> Result<(
     let squared_m2 =
         fitted_m.iter().zip(&canonical_m).map(|(found, known)| found.distance_squared(*known)).sum::<f64>();
     let deviation_mm = 1000.0 * (squared_m2 / LANDMARK_COUNT as f64).sqrt();
-    // Negated, so that NaN is refused.
-    if !(deviation_mm <= MAX_DEVIATION_MM) {
+    if deviation_mm.is_nan() || deviation_mm > MAX_DEVIATION_MM {
         return Err(FaceError::NotAFace { deviation_mm, most_mm: MAX_DEVIATION_MM });
     }
     let inside_out_per_cent = inside_out_per_cent(&fitted_m, &canonical_m);

@@ -31,11 +31,21 @@ pub(crate) fn fill_planes(
     widest(
         #[inline(always)]
         || {
-            for_each_sample(photo, region, side, outside, |index, rgb| {
-                for (channel, value) in rgb.into_iter().enumerate() {
-                    planes[channel * side * side + index] = f32::from(value) * scale + offset;
+            let source_from_tensor = source_from_tensor(region, side);
+            let sampler = Sampler::new(photo, outside);
+            let (mut taps, mut values) = (Taps::default(), [0.0; BLOCK]);
+            for y in 0..side {
+                for x in (0..side).step_by(BLOCK) {
+                    let count = BLOCK.min(side - x);
+                    let [xs, ys] = positions(&source_from_tensor, x, y);
+                    sampler.gather([&xs[..count], &ys[..count]], &mut taps);
+                    for (channel, plane) in planes.chunks_exact_mut(side * side).enumerate() {
+                        taps.blend(8 * channel as u32, &mut values);
+                        let out = plane[y * side + x..][..count].iter_mut().zip(&values);
+                        out.for_each(|(out, value)| *out = value * scale + offset);
+                    }
                 }
-            });
+            }
         },
     );
 }
@@ -46,30 +56,12 @@ const BLOCK: usize = 64;
 const STEPS: i32 = 1 << STEPS_LOG2;
 const STEPS_LOG2: u32 = 5;
 
-/// Calls `visit(index, rgb)` for each pixel of the `side × side` result in row-major order.
-#[inline(always)]
-fn for_each_sample(
-    photo: &Photo,
-    region: &RegionPx,
-    side: usize,
-    outside: Outside,
-    mut visit: impl FnMut(usize, [u8; 3]),
-) {
-    let m = source_from_tensor(region, side);
-    let sampler = Sampler::new(photo, outside);
-    for y in 0..side {
-        for block in (0..side).step_by(BLOCK) {
-            let [xs, ys] = positions(&m, block, y);
-            for (step, (&x, &y_source)) in xs.iter().zip(&ys).take(side - block).enumerate() {
-                visit(y * side + block + step, sampler.sample(x, y_source));
-            }
-        }
-    }
-}
+/// One number for each pixel of a block.
+type Block<T> = [T; BLOCK];
 
 /// Source positions of a block's pixels, in steps. Computed before sampling, so that the divisions vectorise.
 #[inline(always)]
-fn positions(m: &Matrix, block: usize, y: usize) -> [[i32; BLOCK]; 2] {
+fn positions(m: &Matrix, block: usize, y: usize) -> [Block<i32>; 2] {
     let [start_x, start_y, start_w] = [0, 1, 2].map(|row| m[row][0] * block as f64 + m[row][1] * y as f64 + m[row][2]);
     let mut positions = [[0; BLOCK]; 2];
     let [xs, ys] = &mut positions;
@@ -77,10 +69,21 @@ fn positions(m: &Matrix, block: usize, y: usize) -> [[i32; BLOCK]; 2] {
         let step = step as f64;
         let w = start_w + m[2][0] * step;
         let w = if w == 0.0 { 0.0 } else { f64::from(STEPS) / w };
-        *x = ((start_x + m[0][0] * step) * w).round_ties_even() as i32;
-        *y = ((start_y + m[1][0] * step) * w).round_ties_even() as i32;
+        *x = rounded((start_x + m[0][0] * step) * w);
+        *y = rounded((start_y + m[1][0] * step) * w);
     }
     positions
+}
+
+/// Rounds half to even, and limits the number to far outside any picture. Vectorises, unlike a cast: the sum has no
+/// fractional bits, and its lowest bits are the rounded number.
+#[inline(always)]
+fn rounded(number: f64) -> i32 {
+    const FAR: f64 = 1e9;
+    const WITHOUT_FRACTION: f64 = 1.5 * (1_u64 << 52) as f64;
+    let number = if number > -FAR { number } else { -FAR };
+    let number = if number < FAR { number } else { FAR };
+    (number + WITHOUT_FRACTION).to_bits() as i32
 }
 
 fn source_from_tensor(region: &RegionPx, side: usize) -> Matrix {
@@ -101,7 +104,36 @@ fn corners(region: &RegionPx) -> [[f32; 2]; 4] {
     [bottom_left, top_left, opposite(bottom_left), opposite(top_left)]
 }
 
-/// Fixed-point bilinear sampling.
+/// The pixels of the picture that a block samples, with red in the lowest byte: at the position, its right neighbour, and
+/// the two below. Gathered before they are blended, so that the blending vectorises.
+struct Taps {
+    pixels: [Block<u32>; 4],
+    /// The position between the pixels, in steps.
+    fractions: [Block<u32>; 2],
+}
+
+impl Default for Taps {
+    fn default() -> Self {
+        Self { pixels: [[0; BLOCK]; 4], fractions: [[0; BLOCK]; 2] }
+    }
+}
+
+impl Taps {
+    /// Interpolates the channel that begins at bit `shift`: `(Σ p·wx·wy + 512) >> 10`.
+    #[inline(always)]
+    fn blend(&self, shift: u32, values: &mut Block<f32>) {
+        let ([above, above_right, below, below_right], [fxs, fys]) = (&self.pixels, &self.fractions);
+        for (at, value) in values.iter_mut().enumerate() {
+            let channel = |pixels: &Block<u32>| pixels[at] >> shift & 0xFF;
+            let (fx, fy) = (fxs[at], fys[at]);
+            let upper = channel(above) * (32 - fx) + channel(above_right) * fx;
+            let lower = channel(below) * (32 - fx) + channel(below_right) * fx;
+            *value = ((upper * (32 - fy) + lower * fy + 512) >> 10) as i32 as f32;
+        }
+    }
+}
+
+/// Pixels for fixed-point bilinear sampling.
 struct Sampler<'a> {
     bytes: &'a [u8],
     width: i32,
@@ -109,51 +141,45 @@ struct Sampler<'a> {
     outside: Outside,
 }
 
-/// Red, green, blue and a padding element, to fill a vector.
-type Tap = [u32; 4];
-
 impl<'a> Sampler<'a> {
     fn new(photo: &'a Photo, outside: Outside) -> Self {
         Self { bytes: photo.pixels(), width: photo.width() as i32, height: photo.height() as i32, outside }
     }
 
-    /// The colour at (`x`, `y`), in steps: `(Σ p·wx·wy + 512) >> 10` for each channel.
+    /// Gathers the pixels for positions in steps.
     #[inline(always)]
-    fn sample(&self, x: i32, y: i32) -> [u8; 3] {
-        let (fx, fy) = ((x & (STEPS - 1)) as u32, (y & (STEPS - 1)) as u32);
-        let taps = self.taps(x >> STEPS_LOG2, y >> STEPS_LOG2);
-        let weights = [(32 - fx) * (32 - fy), fx * (32 - fy), (32 - fx) * fy, fx * fy];
-        let mut sums = [512; 4];
-        for (tap, weight) in taps.iter().zip(weights) {
-            for (sum, value) in sums.iter_mut().zip(tap) {
-                *sum += value * weight;
-            }
+    fn gather(&self, [xs, ys]: [&[i32]; 2], taps: &mut Taps) {
+        for (at, (&x, &y)) in xs.iter().zip(ys).enumerate().take(BLOCK) {
+            let pixels = self.pixels(x >> STEPS_LOG2, y >> STEPS_LOG2);
+            taps.pixels.iter_mut().zip(pixels).for_each(|(taps, pixel)| taps[at] = pixel);
+            taps.fractions[0][at] = (x & (STEPS - 1)) as u32;
+            taps.fractions[1][at] = (y & (STEPS - 1)) as u32;
         }
-        let [red, green, blue, _] = sums.map(|sum| (sum >> 10) as u8);
-        [red, green, blue]
     }
 
     /// The pixel at (`x`, `y`), its right neighbour, and the two below.
     #[inline(always)]
-    fn taps(&self, x: i32, y: i32) -> [Tap; 4] {
+    fn pixels(&self, x: i32, y: i32) -> [u32; 4] {
         // The fast path reads 7 bytes per row, which exceeds the buffer at the last pixels.
         if x < 0 || y < 0 || x >= self.width - 1 || y >= self.height - 2 {
-            return [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| self.tap(x, y));
+            return [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| self.pixel(x, y));
         }
         let row = self.width as usize * 3;
         let start = y as usize * row + x as usize * 3;
         let (above, below) = (&self.bytes[start..][..7], &self.bytes[start + row..][..7]);
-        let tap = |bytes: &[u8], first: usize| std::array::from_fn(|channel| u32::from(bytes[first + channel]));
-        [tap(above, 0), tap(above, 3), tap(below, 0), tap(below, 3)]
+        let pixel = |bytes: &[u8], first: usize| {
+            u32::from_le_bytes([bytes[first], bytes[first + 1], bytes[first + 2], bytes[first + 3]])
+        };
+        [pixel(above, 0), pixel(above, 3), pixel(below, 0), pixel(below, 3)]
     }
 
     #[cold]
-    fn tap(&self, x: i32, y: i32) -> Tap {
+    fn pixel(&self, x: i32, y: i32) -> u32 {
         let (nearest_x, nearest_y) = (x.clamp(0, self.width - 1), y.clamp(0, self.height - 1));
         if self.outside == Outside::Zero && (nearest_x, nearest_y) != (x, y) {
-            return [0; 4];
+            return 0;
         }
         let start = (nearest_y as usize * self.width as usize + nearest_x as usize) * 3;
-        [self.bytes[start], self.bytes[start + 1], self.bytes[start + 2], 0].map(u32::from)
+        u32::from_le_bytes([self.bytes[start], self.bytes[start + 1], self.bytes[start + 2], 0])
     }
 }

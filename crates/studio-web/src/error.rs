@@ -60,7 +60,7 @@ impl FacadeError {
             ReopenError::Face(FaceError::RecordVersion { .. }) | ReopenError::Version { .. } => {
                 Self::new(OTHER_VERSION.0, error.to_string(), OTHER_VERSION.1)
             }
-            ReopenError::Face(error) => error.into(),
+            ReopenError::Face(error) if !matches!(error, FaceError::PhotoCount { .. }) => error.into(),
             _ => Self::new("bad-history", error.to_string(), "Open an earlier copy of the file, or the photo."),
         }
     }

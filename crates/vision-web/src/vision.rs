@@ -55,8 +55,8 @@ impl Vision {
     ///
     /// # Errors
     /// Throws `not-a-picture`, `unsupported-format`, `damaged-picture`, `too-many-bytes`, `too-many-pixels`,
-    /// `foreign-glb`, `damaged-glb`, `bad-project`, `other-version`, `bad-face`, `networks-damaged` or `internal`. A
-    /// photo without a face is not an error.
+    /// `foreign-glb`, `damaged-glb`, `bad-project`, `not-a-face`, `other-version`, `bad-face`, `networks-damaged` or
+    /// `internal`. A photo without a face is not an error.
     pub fn open(
         &mut self,
         key: &str,

@@ -12,7 +12,7 @@ export interface Notices {
   hide: (owner: "studio" | "gpu") => void;
 }
 
-/** What the listeners of each event get. */
+/** Arguments of the listeners of each event. */
 interface Events {
   /** After each change of the document or of a choice. */
   change: State;

@@ -44,13 +44,15 @@ impl FeatureRegion {
 
     /// Writes a head's input, plane by plane: bilinear between the cell centres, 0 beyond the outermost ones.
     pub(crate) fn cut(&self, features: &[f32], crop: &mut [f32]) {
+        let taps: [Option<Taps>; CROP_SIDE * CROP_SIDE] = std::array::from_fn(|index| {
+            let [x, y] = [index % CROP_SIDE, index / CROP_SIDE].map(|at| at as f32 + 0.5);
+            let [x, y] = self.features_from_crop.map(|[per_x, per_y, constant]| per_x * x + per_y * y + constant - 0.5);
+            Taps::at(x, y)
+        });
         let planes = features.chunks_exact(FEATURE_SIDE * FEATURE_SIDE);
         for (plane, crop) in planes.zip(crop.chunks_exact_mut(CROP_SIDE * CROP_SIDE)) {
-            for (index, value) in crop.iter_mut().enumerate() {
-                let [x, y] = [index % CROP_SIDE, index / CROP_SIDE].map(|at| at as f32 + 0.5);
-                let [x, y] =
-                    self.features_from_crop.map(|[per_x, per_y, constant]| per_x * x + per_y * y + constant - 0.5);
-                *value = bilinear(plane, x, y);
+            for (value, taps) in crop.iter_mut().zip(&taps) {
+                *value = taps.as_ref().map_or(0.0, |taps| taps.bilinear(plane));
             }
         }
     }
@@ -64,17 +66,33 @@ impl FeatureRegion {
     }
 }
 
-fn bilinear(plane: &[f32], x: f32, y: f32) -> f32 {
-    const LAST: usize = FEATURE_SIDE - 1;
-    let inside = 0.0..=LAST as f32;
-    if !inside.contains(&x) || !inside.contains(&y) {
-        return 0.0;
+/// The cells around a position of the feature map, and the position between them.
+struct Taps {
+    /// Indices of the top left, top right, bottom left and bottom right cell.
+    cells: [usize; 4],
+    fraction: [f32; 2],
+}
+
+impl Taps {
+    /// `None` beyond the centres of the outermost cells.
+    fn at(x: f32, y: f32) -> Option<Self> {
+        const LAST: usize = FEATURE_SIDE - 1;
+        let inside = 0.0..=LAST as f32;
+        if !inside.contains(&x) || !inside.contains(&y) {
+            return None;
+        }
+        let (left, top) = (x as usize, y as usize);
+        let cell = |row: usize, column: usize| row.min(LAST) * FEATURE_SIDE + column.min(LAST);
+        let cells = [cell(top, left), cell(top, left + 1), cell(top + 1, left), cell(top + 1, left + 1)];
+        Some(Self { cells, fraction: [x - left as f32, y - top as f32] })
     }
-    let (left, top) = (x as usize, y as usize);
-    let (fx, fy) = (x - left as f32, y - top as f32);
-    let at = |row: usize, column: usize| plane[row.min(LAST) * FEATURE_SIDE + column.min(LAST)];
-    let row = |row: usize| (1.0 - fx) * at(row, left) + fx * at(row, left + 1);
-    (1.0 - fy) * row(top) + fy * row(top + 1)
+
+    fn bilinear(&self, plane: &[f32]) -> f32 {
+        let [fx, fy] = self.fraction;
+        let [top_left, top_right, bottom_left, bottom_right] = self.cells.map(|cell| plane[cell]);
+        let row = |left: f32, right: f32| (1.0 - fx) * left + fx * right;
+        (1.0 - fy) * row(top_left, top_right) + fy * row(bottom_left, bottom_right)
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@ use tract_onnx::tract_core::internal::{bail, ensure};
 
 use super::activation::activated;
 use super::window::Window;
-use super::{Layer, Value, picture};
+use super::{Layer, Value, picture, widest};
 
 /// Maximum under a window, for each channel.
 pub(crate) struct MaxPool {
@@ -23,7 +23,17 @@ impl Layer for MaxPool {
     }
 
     fn run(&self, inputs: &[Value<'_>], shape: &[usize], output: &mut [f32]) {
-        let (extents, channels) = ([inputs[0].shape[1], inputs[0].shape[2]], shape[3]);
+        widest(
+            #[inline(always)]
+            || self.pool(&inputs[0], shape, output),
+        );
+    }
+}
+
+impl MaxPool {
+    #[inline(always)]
+    fn pool(&self, input: &Value<'_>, shape: &[usize], output: &mut [f32]) {
+        let (extents, channels) = ([input.shape[1], input.shape[2]], shape[3]);
         for (at, output) in output.chunks_exact_mut(channels).enumerate() {
             let position = [at / shape[2], at % shape[2]];
             let [rows, columns] = [0, 1].map(|axis| self.window.taps(axis, position[axis], extents[axis]));
@@ -31,7 +41,7 @@ impl Layer for MaxPool {
             for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
                 let pixel =
                     self.window.pixel(0, position[0], row) * extents[1] + self.window.pixel(1, position[1], column);
-                for (largest, &number) in output.iter_mut().zip(&inputs[0].numbers[pixel * channels..]) {
+                for (largest, &number) in output.iter_mut().zip(&input.numbers[pixel * channels..]) {
                     *largest = if number > *largest { number } else { *largest };
                 }
             }

@@ -37,17 +37,21 @@ async fn refusals_have_codes_and_keep_the_face() {
     assert_eq!(code(&studio.add_picture("closed/0".to_owned(), closed).unwrap_err()), "bad-face");
     let pictures = vec!["photo/0".to_owned()];
     let nowhere = Observation { landmarks: vec![[0.5; 3]; 468], ..found() };
+    let scatter = |number: usize| (number + 1) as f32 * 0.618_034 % 1.0;
+    let scatter = |landmark: usize| [0, 1, 2].map(|axis| scatter(3 * landmark + axis));
+    let scattered = Observation { landmarks: (0..468).map(scatter).collect(), ..found() };
     for (photos, edits, pictures, why) in [
         (photos(vec![found()]), None, vec!["missing/0".to_owned()], "bad-face"),
         (photos(vec![found()]), None, Vec::new(), "bad-face"),
         (photos(vec![nowhere]), None, pictures.clone(), "bad-face"),
+        (photos(vec![scattered]), None, pictures.clone(), "not-a-face"),
         ("[]".to_owned(), None, pictures.clone(), "bad-history"),
         (photos(vec![found()]), Some("{}".to_owned()), pictures.clone(), "bad-history"),
     ] {
         assert_eq!(code(&studio.open(&photos, edits, pictures).unwrap_err()), why, "{photos}");
     }
     // A distortion that no camera explains.
-    let distorted = |[x, y, z]: [f32; 3]| [x, y + 0.06 * (180.0 * y).sin(), z];
+    let distorted = |[x, y, z]: [f32; 3]| [x, y + 0.05 * (20.0 * y).sin(), z];
     let strange = Observation { landmarks: found().landmarks.into_iter().map(distorted).collect(), ..found() };
     studio.add_picture("other/0".to_owned(), bitmap(2).await).unwrap();
     assert_eq!(code(&studio.add_photo(&photos(vec![strange]), "other/0".to_owned()).unwrap_err()), "another-face");

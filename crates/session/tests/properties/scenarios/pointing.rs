@@ -114,7 +114,7 @@ fn is_grabbed(session: &mut Session, position_px: DVec2, pointer: Pointer) -> Op
 }
 
 #[test]
-fn a_click_selects_what_is_highlighted() {
+fn a_click_selects_the_highlighted_point() {
     for (mode, density) in [(SelectionMode::Landmark, 0), (SelectionMode::Landmark, 1), (SelectionMode::Point, 1)] {
         let mut session = session();
         act(&mut session, Intent::Density(density));
