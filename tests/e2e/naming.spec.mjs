@@ -7,8 +7,8 @@ test.use({ visit: { expert: true } });
 
 test("files are named after the photo, also after a reload and from saved files", async ({ visitor, page }) => {
   await visitor.dropSample('ana: "Rio" 7.2.png');
-  const actions = { "download-glb": "glb", "download-json": "json", "download-picture": "png", "save-project": "rosto" };
-  for (const [action, ending] of Object.entries(actions)) assert.equal(await nameOf(visitor, action), `ana Rio 7.2.${ending}`);
+  const actions = { "download-glb": ".glb", "download-json": ".json", "download-picture": "-view.png", "save-project": ".rosto" };
+  for (const [action, ending] of Object.entries(actions)) assert.equal(await nameOf(visitor, action), `ana Rio 7.2${ending}`);
   await page.selectOption("#export-density", "1");
   assert.equal(await nameOf(visitor, "download-glb"), "ana Rio 7.2-1833.glb");
   assert.equal(await nameOf(visitor, "download-obj"), "ana Rio 7.2-1833.zip");
@@ -41,6 +41,16 @@ for (const [{ name, says }, tag] of variants([
     assert.equal(await nameOf(visitor, "save-project"), says);
   });
 }
+
+test("pictures of a face with a long name have different names of at most 255 bytes", async ({ visitor }) => {
+  const [family, stem] = ["👨‍👩‍👧‍👦", "👨‍👩‍👧‍👦".repeat(8)];
+  await visitor.dropSample(`${family.repeat(30)}.png`);
+  const actions = ["download-picture", "download-pair", "download-photo-png", "download-photo-jpeg", "download-glb", "save-project"];
+  const names = [];
+  for (const action of actions) names.push(await nameOf(visitor, action));
+  assert.equal(new Set(names).size, actions.length, String(names));
+  for (const name of names) assert.ok(name.startsWith(stem) && Buffer.byteLength(name) <= 255, name);
+});
 
 test("a photo from the camera is named selfie", { tag: "@camera" }, async ({ visitor }) => {
   await visitor.page.click("#welcome [data-action='camera']");

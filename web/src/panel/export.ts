@@ -196,7 +196,7 @@ function offerPictures({ host, opening }: Context) {
   host.applyShown({ report: { abilities: { sharesModels, sharesPictures, copiesPictures: canCopyPictures() } } });
   const make = async (what: "view" | "pair") => {
     // The face may change meanwhile.
-    const name = fileName(opening.face, "png", what === "pair" ? "before-after" : undefined);
+    const name = fileName(opening.face, "png", what === "pair" ? "before-after" : "view");
     const { drawPair, drawView } = await import("../share/pictures.ts");
     const picture = await (what === "pair" ? drawPair(host, [t("before"), t("after")]) : drawView(host));
     return new File([picture], name, { type: picture.type });

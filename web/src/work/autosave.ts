@@ -1,5 +1,6 @@
 import { byId } from "../page/dom.ts";
 import { asPageError } from "../page/page-error.ts";
+import { afterNextFrame } from "../page/tasks.ts";
 import { setSavesWork, showError, showRemark } from "../page/notice.ts";
 import { allSlots, prune } from "./slots.ts";
 import { StoredFace } from "./stored-face.ts";
@@ -72,8 +73,8 @@ export class Autosave {
     this.#visited.set(face, now);
     this.#rejected.delete(now.slot);
     rememberTabSlot(now.slot);
-    // Deferred: the current task brings the face to the screen.
-    this.#saveSoon();
+    // The current task brings the face to the screen. Whoever leaves right after keeps it.
+    afterNextFrame().then(() => this.#save());
   }
 
   /** The slots that no tab has open: the preferred one, then the latest, then those rejected before. */
