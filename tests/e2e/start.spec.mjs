@@ -159,18 +159,3 @@ function fillStorage() {
     throw new DOMException("full", "QuotaExceededError");
   };
 }
-
-test("a 3D module that did not load is requested again for the next photo and when the browser is online", async ({ open }) => {
-  const failing = (route) => route.abort();
-  const visitor = await open({ before: (context) => context.route("**/rosto-studio-web_bg.wasm", failing) });
-  const { page } = visitor;
-  await page.waitForSelector("body[data-host='closed']");
-  assert.equal((await visitor.notice()).code, "not-loaded");
-  await page.click("#welcome [data-action='sample']");
-  await page.waitForSelector("body[data-state='photo']");
-  await page.context().unroute("**/rosto-studio-web_bg.wasm", failing);
-  await page.evaluate(() => dispatchEvent(new Event("online")));
-  await page.waitForSelector("body[data-host='open'][data-state='face']");
-  await visitor.untilFace();
-  assert.ok((await visitor.download("download-glb")).length > 1000);
-});

@@ -5,7 +5,6 @@ import { setUpDialogs } from "./page/dialogs.ts";
 import { byId, onAction } from "./page/dom.ts";
 import { completeHint, setUpHints } from "./page/hint.ts";
 import { hideNotice, setUpNotice, showError } from "./page/notice.ts";
-import { asPageError } from "./page/page-error.ts";
 import { countRequests } from "./page/privacy.ts";
 import { setUpProgress } from "./page/progress.ts";
 import { setUpLanguage, setUpTheme, theme } from "./page/settings.ts";
@@ -51,9 +50,7 @@ const vision = new VisionClient();
 const overlay = new PhotoOverlay();
 const autosave = new Autosave(() => opening.remember());
 let forgetPaper: ((extraction_ms: number | undefined) => void) | undefined;
-/** The 3D view; undefined if it is not opening or open. */
-let opening3d: Promise<Host | undefined> | undefined;
-const host = () => (opening3d ??= openHost());
+const host = openHost();
 const faceChoice = new FaceChoice((face) => opening.openFace(face));
 const onOpened = (extraction_ms: number | undefined) => forgetPaper?.(extraction_ms);
 const opening = pageOpening({ host, vision, overlay, faceChoice, autosave, onOpened });
@@ -62,17 +59,14 @@ setUpTheme(applyPreferences);
 REDUCED_MOTION.addEventListener("change", applyPreferences);
 setUpPhotoInput((file) => opening.openFile(file));
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
+setUpLivePreview({ host, vision, opening });
 onAction("sample", () => opening.openFile(loadSample(), "sample"));
 autosave.offer((read) => opening.openWork(read));
-countRequests(loadInBackground(host()));
-addEventListener("online", host);
+countRequests(loadInBackground());
 byId("panel", HTMLElement).inert = false;
 dispatchEvent(new Event("started"));
 
-/**
- * Sets up the 3D view and the panels that use it. Resolves to undefined if the browser cannot draw in 3D, or if the
- * module was not loaded: then it is requested again for the next photo, and when the browser is online again.
- */
+/** Sets up the 3D view and the panels that use it. Resolves to undefined if the browser cannot draw in 3D. */
 async function openHost() {
   try {
     const opened = await Host.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice });
@@ -83,7 +77,6 @@ async function openHost() {
     setUpKeys(opened, window, (id) => id.startsWith("key.turn") && completeHint("turn"));
     for (const setUp of [setUpBeforeAfter, setUpPulse, setUpViewportInsets, setUpViews, setUpBrushMarks]) setUp(opened);
     setUpPhotos(opened, opening, vision);
-    setUpLivePreview(opened, vision, opening);
     const files = new FaceFiles(opened, vision, opening);
     followTexture(opened, files, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
     setUpExport({ host: opened, opening, files, pictureSize: () => overlay.pictureSize });
@@ -91,38 +84,31 @@ async function openHost() {
     autosave.follow(opened);
     // A restarted studio then gets its face again.
     opened.onRestart(async () => {
-      applyTo(opened);
+      await applyPreferences();
       opened.apply("close");
       forgetPaper?.(undefined);
     });
     opened.apply("close");
     document.body.dataset["host"] = "open";
-    applyTo(opened);
-    opening.follow(opened);
     return opened;
   } catch (error) {
     document.body.dataset["host"] = "closed";
     showError(error);
-    if (asPageError(error).code === "not-loaded") opening3d = undefined;
     return undefined;
   }
 }
 
 async function applyPreferences() {
-  const opened = await opening3d;
-  if (opened) applyTo(opened);
-}
-
-function applyTo(opened: Host) {
-  opened.apply({ theme: theme() });
-  opened.apply({ "reduced-motion": REDUCED_MOTION.matches });
+  const opened = await host;
+  opened?.apply({ theme: theme() });
+  opened?.apply({ "reduced-motion": REDUCED_MOTION.matches });
 }
 
 /** Loads what the first view does not need: workers, sample photo and offline copy. */
-async function loadInBackground(first: Promise<unknown>) {
+async function loadInBackground() {
   await afterNextFrame();
   vision.start();
   await vision.ready;
-  await first;
+  await host;
   await Promise.allSettled([showSample(), startValidator(), loadPictures(), storeOffline()]);
 }

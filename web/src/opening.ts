@@ -82,18 +82,12 @@ export class Opening {
   /** Faces shown before, latest first. */
   #earlier: ShownFace[] = [];
 
-  /** @param host opens the 3D view; undefined if it cannot be opened now */
-  constructor(host: () => Promise<Host | undefined>, vision: VisionClient, listeners: Partial<Listeners>) {
+  /** @param host undefined if the browser cannot draw in 3D */
+  constructor(host: Promise<Host | undefined>, vision: VisionClient, listeners: Partial<Listeners>) {
     this.#host = host;
     this.#vision = vision;
     this.#listeners = { ...NO_LISTENERS, ...listeners };
-  }
-
-  /** Uses a 3D view that has opened, also for a face that is open already. */
-  follow(host: Host) {
-    host.onRestart(() => this.#restore());
-    const { face, faces } = this.#current ?? {};
-    if (face && faces) this.#open(async () => ({ ...(await this.#withBitmaps({ face, faces })), ofThisVisit: true }));
+    host.then((opened) => opened?.onRestart(() => this.#restore()));
   }
 
   /** The open face. */
@@ -262,7 +256,7 @@ export class Opening {
       if (isWanted()) this.#listeners.progress(stage, fraction);
     });
     const { bitmaps, opened: { kind, changedElsewhere, faces: [found] } } = read;
-    const defaultDensity = (await this.#host())?.catalogue.defaultDensity;
+    const defaultDensity = (await this.#host)?.catalogue.defaultDensity;
     const faces = facesOf(read, name ?? nameIn(file, found?.edits, defaultDensity));
     const [face] = faces;
     if (!found || !face) throw noFace();
@@ -281,7 +275,7 @@ export class Opening {
 
   /** Opens a face in the studio, atomically and as the last step that can fail. */
   async #install({ face, faces, bitmaps, preferences }: Incoming, isWanted: () => boolean) {
-    const host = await this.#host();
+    const host = await this.#host;
     const picture = bitmaps[face.lead];
     if (!picture) throw new Error("no picture of the lead photo");
     if (!isWanted()) {
@@ -350,7 +344,7 @@ export class Opening {
   }
 
   async #addPhoto(file: File, isWanted: () => boolean) {
-    const host = await this.#host();
+    const host = await this.#host;
     const max = host?.catalogue.maxPhotos ?? 1;
     if (this.face && this.face.pictures.length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
     const { face, bitmaps } = await this.#read(file, isWanted);

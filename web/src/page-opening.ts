@@ -16,7 +16,7 @@ import type { Autosave } from "./work/autosave.ts";
 
 export interface Context {
   /** undefined if the browser cannot draw in 3D */
-  host: () => Promise<Host | undefined>;
+  host: Promise<Host | undefined>;
   vision: VisionClient;
   overlay: PhotoOverlay;
   faceChoice: FaceChoice;
@@ -43,7 +43,7 @@ export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpe
       showOpened(incoming);
       showFaces(incoming);
       // Fields that were being typed in can be updated again.
-      host().then((ready) => ready?.announce());
+      host.then((ready) => ready?.announce());
       onOpened(incoming.extraction_ms);
     },
     photosChanged: (shown) => {

@@ -48,7 +48,7 @@ export class FaceSession {
   private constructor(host: Host, tag: HTMLOutputElement, listeners: Partial<Listeners>) {
     [this.host, this.#listeners] = [host, listeners];
     sessions.add(this);
-    this.#opening = new Opening(async () => host, vision, {
+    this.#opening = new Opening(Promise.resolve(host), vision, {
       progress: (stage, fraction) => listeners.progress?.(stage, fraction),
       opened: () => {
         listeners.face?.();
@@ -59,7 +59,6 @@ export class FaceSession {
       },
       ended: (isNewest) => isNewest && listeners.progress?.(),
     });
-    this.#opening.follow(host);
     this.#files = new FaceFiles(host, vision, this.#opening);
     setUpMarks(host, { tag });
     setUpKeys(host, host.canvas.getRootNode());

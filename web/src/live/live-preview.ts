@@ -17,12 +17,20 @@ const WANTED = { width: { ideal: 1280 }, height: { ideal: 720 }, frameRate: { id
 /** Time over which the figures are means. */
 const FIGURES_MS = 1000;
 
+type Context = { host: Promise<Host | undefined>; vision: VisionClient; opening: Opening };
+
+/** Sets up the live preview: the camera on the stage, with the edits of the open face. */
+export async function setUpLivePreview(context: Context) {
+  const host = await context.host;
+  if (host) setUp(host, context);
+}
+
 /**
- * Sets up the live preview: the camera on the stage, with the edits of the open face. The camera is off while the page is hidden. Frames are not queued: a busy worker gets the newest one next.
+ * The camera is off while the page is hidden. Frames are not queued: a busy worker gets the newest one next.
  *
  * Only the stage's camera mirrors the picture; frames, landmarks and edits keep their sides.
  */
-export function setUpLivePreview(host: Host, vision: VisionClient, opening: Opening) {
+function setUp(host: Host, { vision, opening }: Context) {
   const video = byId("live-video", HTMLVideoElement);
   const stream = cameraStream(video, WANTED, { changed: write, lost: fail, frame: follow });
   const bar = liveBar(save, () => figuresOf(samples));
