@@ -4,14 +4,17 @@ import { test } from "./fixtures.mjs";
 test("the canvas has the device's pixels also after the pixel ratio changes", async ({ editor, page }) => {
   const chrome = await page.context().newCDPSession(page);
   const { width, height } = page.viewportSize();
+  const start = await editor.landmarkPosition(1);
   for (const ratio of [2, 1.5, 1]) {
     await chrome.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: ratio, mobile: false });
     await page.waitForFunction((ratio) => {
       const canvas = document.getElementById("viewport");
       return Math.abs(canvas.width - ratio * canvas.clientWidth) <= 1 && Math.abs(canvas.height - ratio * canvas.clientHeight) <= 1;
     }, ratio);
+    const nose = await editor.landmarkPosition(1);
+    const moved_px = Math.hypot(nose.x - start.x, nose.y - start.y);
+    assert.ok(moved_px < 2, `at ${ratio}, the face has moved by ${moved_px} px`);
   }
-  await editor.frames(2);
 });
 
 test("a click selects the point that is named under the pointer", async ({ editor, page }) => {
@@ -26,6 +29,23 @@ test("a click selects the point that is named under the pointer", async ({ edito
     const number = /\d+$/.exec(named)?.[0];
     assert.equal(await editor.selectedLandmark(), Number(number), `${named} at ${dx}, ${dy}`);
   }
+});
+
+test("the middle button turns the face, without the browser's own action", async ({ editor, page }) => {
+  await page.evaluate(() => {
+    globalThis.left = [];
+    for (const name of ["mousedown", "mouseup", "auxclick"]) {
+      addEventListener(name, (event) => event.defaultPrevented || globalThis.left.push(name));
+    }
+  });
+  await editor.findLandmark("nose tip");
+  const tip = await editor.selectionPosition();
+  await page.mouse.move(tip.x, tip.y);
+  await page.mouse.down({ button: "middle" });
+  await page.mouse.move(tip.x + 60, tip.y, { steps: 3 });
+  await page.mouse.up({ button: "middle" });
+  assert.ok(Math.abs((await editor.selectionPosition()).x - tip.x) > 5, "the face was not turned");
+  assert.deepEqual(await page.evaluate("left"), []);
 });
 
 test("no shortcut works in a list, in a text, or while a word is composed", async ({ editor, page }) => {
@@ -50,12 +70,16 @@ test("no shortcut works in a list, in a text, or while a word is composed", asyn
   });
   await page.focus("#viewport");
   await page.evaluate(() => {
-    for (const key of ["p", "z"]) {
-      const event = new KeyboardEvent("keydown", { key, ctrlKey: key === "z", isComposing: true, bubbles: true });
-      document.activeElement.dispatchEvent(event);
+    for (const key of ["p", "z", "b"]) {
+      // Browsers mark the first key of a word by its code only.
+      for (const mark of [{ isComposing: true }, { keyCode: 229 }]) {
+        const event = new KeyboardEvent("keydown", { key, ctrlKey: key === "z", bubbles: true, ...mark });
+        document.activeElement.dispatchEvent(event);
+      }
     }
   });
   assert.deepEqual([await scene(), await editor.history()], [start, before], "while composing");
+  assert.equal(await page.evaluate(() => document.body.hasAttribute("data-comparing")), false, "B works while composing");
   await page.keyboard.press("p");
   assert.notEqual(await scene(), start);
   await page.keyboard.press("Control+z");

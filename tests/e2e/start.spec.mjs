@@ -131,6 +131,27 @@ for (const [[what, block], tag] of variants(/** @type {const} */ ([["cannot be r
   });
 }
 
+for (const [{ drawn, needs, file, isByItself }, tag] of variants([
+  { drawn: "WebGPU", needs: "gpu", file: "**/rosto-studio-web_bg.wasm", isByItself: false },
+  { drawn: "WebGPU", needs: "gpu", file: "**/rosto-studio-web_bg.wasm", isByItself: true },
+  { drawn: "WebGL2", needs: "webgl", file: "**/rosto-studio-webgl*", isByItself: false },
+])) {
+  const when = isByItself ? "the browser is online again" : "the user asks for it";
+  test(`a module for ${drawn} that did not load is loaded when ${when}`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
+    const visitor = await open({ before: (context) => context.route(file, (route) => route.abort()) });
+    const { page } = visitor;
+    assert.equal((await visitor.notice()).code, "not-loaded");
+    assert.ok(await page.isHidden(".loading"));
+    await page.click("#notice-retry");
+    await page.waitForSelector("#notice-retry");
+    await page.context().unroute(file);
+    await (isByItself ? page.evaluate(() => dispatchEvent(new Event("online"))) : page.click("#notice-retry"));
+    await page.waitForSelector("body[data-host='open']");
+    assert.ok(await page.isHidden("#notice"));
+    await visitor.openFace();
+  });
+}
+
 for (const [status, tag] of variants([404, "unreachable"])) {
   test(`if the sample is ${status}, a notice appears and a retry works`, { tag }, async ({ open }) => {
     const visitor = await open({

@@ -23,14 +23,12 @@ import { PhotoOverlay } from "./photo/photo-overlay.ts";
 import { loadSample, showSample } from "./photo/sample.ts";
 import { VisionClient } from "./photo/vision-client.ts";
 import { storeOffline, useVersion } from "./offline.ts";
-import { setUpBeforeAfter } from "./viewport/before-after.ts";
-import { setUpBrushMarks } from "./viewport/brush-marks.ts";
+import { setUpGestures } from "./viewport/gestures.ts";
 import { Host } from "./viewport/host.ts";
 import { setUpMarks } from "./viewport/landmark-marks.ts";
-import { setUpPulse } from "./viewport/pulse.ts";
+import { setUpBrushMarks, setUpPulse, setUpViewportInsets } from "./viewport/overlays.ts";
 import { setUpKeys } from "./viewport/shortcuts.ts";
-import { setUpViews } from "./viewport/split-view.ts";
-import { setUpViewportInsets } from "./viewport/viewport-insets.ts";
+import { setUpBeforeAfter, setUpViews } from "./viewport/views.ts";
 import { followTexture } from "./viewport/whole-texture.ts";
 import { Autosave } from "./work/autosave.ts";
 import { FaceFiles } from "./work/face-files.ts";
@@ -69,11 +67,12 @@ dispatchEvent(new Event("started"));
 /** Sets up the 3D view and the panels that use it. Resolves to undefined if the browser cannot draw in 3D. */
 async function openHost() {
   try {
-    const opened = await Host.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice });
+    const opened = await Host.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice, offerRetry });
     overlay.follow(opened);
-    opened.on("said", (said) => announce(textOf(said)));
+    opened.on("applied", ({ said }) => said && announce(textOf(said)));
     setUpPanels(opened);
-    setUpMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, onGesture: completeHint, announce });
+    setUpMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, announce });
+    setUpGestures(opened, completeHint);
     setUpKeys(opened, window, (id) => id.startsWith("key.turn") && completeHint("turn"));
     for (const setUp of [setUpBeforeAfter, setUpPulse, setUpViewportInsets, setUpViews, setUpBrushMarks]) setUp(opened);
     setUpPhotos(opened, opening, vision);
@@ -96,6 +95,12 @@ async function openHost() {
     showError(error);
     return undefined;
   }
+}
+
+function offerRetry(error: unknown, retry: () => void) {
+  // The page has finished loading what it can.
+  document.body.dataset["host"] = "waiting";
+  showError(error, "studio", retry);
 }
 
 async function applyPreferences() {

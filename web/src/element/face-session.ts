@@ -2,6 +2,7 @@ import { make } from "../page/dom.ts";
 import { Opening } from "../opening.ts";
 import { VisionClient } from "../photo/vision-client.ts";
 import { Host, type Notices } from "../viewport/host.ts";
+import { setUpGestures } from "../viewport/gestures.ts";
 import { setUpMarks } from "../viewport/landmark-marks.ts";
 import { setUpKeys } from "../viewport/shortcuts.ts";
 import { followTexture } from "../viewport/whole-texture.ts";
@@ -61,6 +62,7 @@ export class FaceSession {
     });
     this.#files = new FaceFiles(host, vision, this.#opening);
     setUpMarks(host, { tag });
+    setUpGestures(host);
     setUpKeys(host, host.canvas.getRootNode());
     followTexture(host, this.#files);
     host.on("change", () => this.#onChange());

@@ -30,11 +30,16 @@ const TEXT = new Set(["text", "search", "email", "url", "tel", "password", "numb
 export function isTyping(event: Event) {
   const { target } = event;
   const isKey = event instanceof KeyboardEvent;
-  if (isKey && event.isComposing) return true;
+  if (isKey && isComposing(event)) return true;
   if (target instanceof HTMLSelectElement) return isKey && !event.ctrlKey && !event.metaKey;
   // A number field has a text only while it is typed in: see slider.ts.
   if (target instanceof HTMLInputElement) return "typing" in target.dataset || (TEXT.has(target.type) && !("number" in target.dataset));
   return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
+}
+
+/** Whether a key belongs to an input method. Some browsers report the first one only by its code. */
+export function isComposing({ isComposing, keyCode }: KeyboardEvent) {
+  return isComposing || keyCode === 229;
 }
 
 /** The page, or the shadow root of an element. */

@@ -3,7 +3,12 @@ import { byId } from "./dom.ts";
 import { asPageError } from "./page-error.ts";
 
 type Remark = "one-of-several" | "adds-little" | "earlier-work" | "may-not-be-a-face";
-type Notice = { kind: "error" | "remark"; code: string; words: () => { title: string; hint: string } };
+type Notice = {
+  kind: "error" | "remark";
+  code: string;
+  words: () => { title: string; hint: string };
+  retry?: (() => void) | undefined;
+};
 type Owner = "page" | "studio" | "gpu";
 
 /** One notice per owner; the most recent one is shown. */
@@ -13,7 +18,7 @@ let savesWork = true;
 
 /** Writes notices in each locale and makes them closable. */
 export function setUpNotice() {
-  byId("notice-close", HTMLButtonElement).addEventListener("click", dismissNotices);
+  for (const id of ["notice-retry", "notice-close"]) byId(id, HTMLButtonElement).addEventListener("click", dismissNotices);
   addEventListener("keydown", ({ key }) => key === "Escape" && dismissNotices());
   for (const change of ["toggle", "close"]) {
     addEventListener(change, ({ target }) => target instanceof HTMLDialogElement && write(), { capture: true });
@@ -21,9 +26,13 @@ export function setUpNotice() {
   onLocaleChange(write);
 }
 
-/** Shows an error and what to do next. */
-export function showError(thrown: unknown, owner: Owner = "page") {
-  show(noticeOf(thrown), owner);
+/**
+ * Shows an error and what to do next.
+ *
+ * @param retry called when the user asks for it, or dismisses the notice
+ */
+export function showError(thrown: unknown, owner: Owner = "page", retry?: () => void) {
+  show({ ...noticeOf(thrown), retry }, owner);
 }
 
 /**
@@ -58,10 +67,12 @@ export function hideNotice(owner: Owner) {
   write();
 }
 
-/** Hides all notices. */
+/** Hides all notices, and tries again what can be. */
 export function dismissNotices() {
+  const dismissed = [...notices.values()];
   notices.clear();
   write();
+  for (const { retry } of dismissed) retry?.();
 }
 
 /** Sets whether hints may say that the work is saved. */
@@ -100,6 +111,7 @@ function write() {
   if (!shown) return;
   const { title, hint } = shown.words();
   Object.assign(notice.dataset, { kind: shown.kind, code: shown.code });
+  byId("notice-retry", HTMLButtonElement).hidden = !shown.retry;
   byId("notice-title", HTMLParagraphElement).textContent = title;
   byId("notice-hint", HTMLParagraphElement).textContent = hint;
 }

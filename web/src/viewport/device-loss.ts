@@ -7,74 +7,54 @@ const RESTORE_TIMEOUT_MS = 4000;
 
 /**
  * Recovers from a lost GPU, for example after a driver reset. The session is in memory, so a new renderer is enough.
+ * Returns whether the GPU is available, and a function that watches the GPU of a new studio.
  */
-export class DeviceLossHandler {
-  #isAvailable = true;
-  #restoreTimer = 0;
-  #host;
-  #notices;
+export function followGpu(host: Host, notices: Notices) {
+  const { canvas, closed: signal } = host;
+  const gpu = { isAvailable: true, watch };
+  let timer = 0;
+  const report = (message: string) => notices.show({ code: "device-lost", message, hint: "" }, "gpu");
+  const setAvailable = (isAvailable: boolean) => {
+    gpu.isAvailable = isAvailable;
+    clearTimeout(timer);
+    if (!isAvailable) timer = setTimeout(report, RESTORE_TIMEOUT_MS, "the browser did not restore the context");
+  };
+  /** Whether another studio has replaced the one that lost its GPU. */
+  const isReplaced = (instance: object) => instance !== host.instance || signal.aborted;
 
-  constructor(host: Host, notices: Notices) {
-    this.#host = host;
-    this.#notices = notices;
-    const { canvas, closed: signal } = host;
-    signal.addEventListener("abort", () => clearTimeout(this.#restoreTimer));
-    canvas.addEventListener("webglcontextlost", (event) => {
-      // Without this, the browser does not restore the context.
-      event.preventDefault();
-      this.#markLost();
-    }, { signal });
-    canvas.addEventListener("webglcontextrestored", () => this.#replace(), { signal });
-    this.watch();
+  async function watch() {
+    const { instance } = host;
+    setAvailable(true);
+    await host.ask((studio) => studio.gpuLost());
+    if (isReplaced(instance)) return;
+    setAvailable(false);
+    // WebGPU provides another device immediately, WebGL2 only after its event.
+    await replace();
   }
 
-  /** Whether the GPU is available. */
-  get isAvailable() {
-    return this.#isAvailable;
-  }
-
-  /** Waits until the current studio's GPU is lost, then replaces it. WebGPU provides another device immediately. */
-  async watch() {
-    const { instance } = this.#host;
-    this.#markAvailable();
-    await this.#host.ask((studio) => studio.gpuLost());
-    if (this.#isReplaced(instance)) return;
-    this.#markLost();
-    await this.#replace();
-  }
-
-  #markLost() {
-    this.#isAvailable = false;
-    clearTimeout(this.#restoreTimer);
-    this.#restoreTimer = setTimeout(() => this.#report("the browser did not restore the context"), RESTORE_TIMEOUT_MS);
-  }
-
-  #markAvailable() {
-    this.#isAvailable = true;
-    clearTimeout(this.#restoreTimer);
-  }
-
-  async #replace() {
-    const { instance, canvas } = this.#host;
+  async function replace() {
+    const { instance } = host;
     try {
       const renderer = await studioModule().createRenderer(canvas);
-      if (this.#isReplaced(instance)) return renderer.free();
-      this.#host.answer((studio) => studio.useRenderer(renderer));
-      this.watch();
-      this.#host.requestFrame();
-      this.#notices.hide("gpu");
+      if (isReplaced(instance)) return renderer.free();
+      host.answer((studio) => studio.useRenderer(renderer));
+      watch();
+      host.requestFrame();
+      notices.hide("gpu");
     } catch (error) {
-      if (!this.#isReplaced(instance)) this.#report(asPageError(error).message);
+      if (isReplaced(instance)) return;
+      clearTimeout(timer);
+      report(asPageError(error).message);
     }
   }
 
-  /** Whether another studio has replaced the one that lost its GPU. */
-  #isReplaced(instance: object) {
-    return instance !== this.#host.instance || this.#host.closed.aborted;
-  }
-
-  #report(message: string) {
-    clearTimeout(this.#restoreTimer);
-    this.#notices.show({ code: "device-lost", message, hint: "" }, "gpu");
-  }
+  signal.addEventListener("abort", () => clearTimeout(timer));
+  canvas.addEventListener("webglcontextlost", (event) => {
+    // Without this, the browser does not restore the context.
+    event.preventDefault();
+    setAvailable(false);
+  }, { signal });
+  canvas.addEventListener("webglcontextrestored", replace, { signal });
+  watch();
+  return gpu;
 }

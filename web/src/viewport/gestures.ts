@@ -1,14 +1,7 @@
+import { isComposing } from "../page/dom.ts";
 import type { Host } from "./host.ts";
 
-type Press = { x: number; y: number; button: number };
-
-interface GestureListener {
-  hover: (x_px: number, y_px: number) => void;
-  leave: () => void;
-  press: () => void;
-  radiusChanged: () => void;
-  gesture: (action: "drag" | "turn") => void;
-}
+type Point = { x: number; y: number };
 
 /** A press that moves less than this is a click, in CSS px. */
 const CLICK_SLOP_PX = 4;
@@ -25,9 +18,10 @@ const LINE_PX = 16;
  * - Two fingers: turn and zoom. Three fingers: pan. Wheel: zoom.
  * - Click: select; with Alt: pin.
  */
-export function setUpGestures(host: Host, listener: GestureListener) {
+export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") => void = () => {}) {
   const { canvas } = host;
-  const pressed = new Map<number, Press>();
+  /** Positions of the pressed pointers, in CSS px. */
+  const pressed = new Map<number, Point>();
   /** Position of a press that can still become a click. */
   let click_px: [number, number] | undefined;
   let moved_px = 0;
@@ -38,34 +32,41 @@ export function setUpGestures(host: Host, listener: GestureListener) {
   let along: string | undefined;
   /** Unrounded influence radius; one pinch step can change it by less than 1 mm. */
   let radius_mm = 0;
+  /** Pointer position over the view while nothing is pressed. */
+  let pointer_px: [number, number] | undefined;
+  /** The point under the pointer. */
+  let hovered: number | undefined;
 
   /** Pointer position in device pixels of the canvas. */
   const positionOf = ({ clientX, clientY }: PointerEvent): [number, number] => {
     const { left, top, width, height } = canvas.getBoundingClientRect();
     return [((clientX - left) * canvas.width) / width, ((clientY - top) * canvas.height) / height];
   };
-  const endGrab = () => {
-    grabPointer = undefined;
-    host.apply("release");
+  const hover = (position_px: [number, number] | undefined) => {
+    pointer_px = position_px;
+    host.apply({ hover: position_px });
   };
   const scaleRadius = (factor: number) => {
     if (!Number.isFinite(factor) || factor <= 0) return;
     const { min, max } = host.catalogue.radius;
     radius_mm = Math.min(max, Math.max(min, radius_mm * factor));
     host.apply({ radius: Math.round(radius_mm) });
-    listener.radiusChanged();
   };
   /** Turns by CSS px, or pans. */
   const turn = (dx: number, dy: number, moves: boolean) => {
     const by_px: [number, number] = [dx * devicePixelRatio, dy * devicePixelRatio];
     host.apply(moves ? { pan: by_px } : { orbit: by_px });
-    if (!moves) listener.gesture("turn");
+    if (!moves) onGesture("turn");
+  };
+  const endGrab = () => {
+    grabPointer = undefined;
+    host.apply("release");
   };
 
   const press = (event: PointerEvent) => {
     canvas.setPointerCapture(event.pointerId);
-    listener.press();
-    pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: event.button });
+    pointer_px = undefined;
+    pressed.set(event.pointerId, { x: event.clientX, y: event.clientY });
     click_px = pressed.size === 1 && event.button === 0 ? positionOf(event) : undefined;
     if (pressed.size > 1) {
       // A drag continues with the first finger.
@@ -73,23 +74,22 @@ export function setUpGestures(host: Host, listener: GestureListener) {
       return;
     }
     moved_px = 0;
-    grabPointer = undefined;
     const applied = click_px && host.apply({ press: [click_px, event.pointerType === "touch"] });
-    if (applied?.hasGrabbed) grabPointer = event.pointerId;
+    grabPointer = applied?.hasGrabbed ? event.pointerId : undefined;
   };
   const move = (event: PointerEvent) => {
     const from = pressed.get(event.pointerId);
-    if (!from) return listener.hover(...positionOf(event));
+    if (!from) return hover(positionOf(event));
     const before = spreadOf(pressed);
-    pressed.set(event.pointerId, { x: event.clientX, y: event.clientY, button: from.button });
+    pressed.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const after = spreadOf(pressed);
     const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
     moved_px += Math.hypot(dx, dy);
     if (moved_px < CLICK_SLOP_PX) return;
     click_px = undefined;
-    const after = spreadOf(pressed);
     if (grabPointer === event.pointerId) {
       host.apply({ drag: [positionOf(event), event.shiftKey] });
-      listener.gesture("drag");
+      onGesture("drag");
     } else if (grabPointer !== undefined) scaleRadius(after.apart / before.apart);
     else if (pressed.size === 1) turn(dx, dy, event.shiftKey);
     else {
@@ -103,16 +103,11 @@ export function setUpGestures(host: Host, listener: GestureListener) {
     click_px = undefined;
     // Ends a change of the radius; the drag continues.
     if (grabPointer !== undefined && grabPointer !== event.pointerId) return;
+    if (event.type === "pointercancel") host.apply("cancel");
     endGrab();
-    if (at_px) host.apply(event.altKey ? { "pin-under": at_px } : { "select-under": at_px });
+    if (at_px && event.type === "pointerup") host.apply(event.altKey ? { "pin-under": at_px } : { "select-under": at_px });
     // A mouse stays where it is; a finger is gone.
-    if (event.pointerType !== "touch") listener.hover(...positionOf(event));
-  };
-  const cancel = (event: PointerEvent) => {
-    pressed.delete(event.pointerId);
-    click_px = undefined;
-    if (isDragging) host.apply("cancel");
-    endGrab();
+    if (event.pointerType !== "touch") hover(positionOf(event));
   };
   const wheel = (event: WheelEvent) => {
     event.preventDefault();
@@ -123,7 +118,7 @@ export function setUpGestures(host: Host, listener: GestureListener) {
   };
   /** While dragging, X, Y and Z restrict the axis and Escape cancels. */
   const key = (event: KeyboardEvent) => {
-    if (!isDragging || event.ctrlKey || event.metaKey) return;
+    if (!isDragging || event.ctrlKey || event.metaKey || isComposing(event)) return;
     const axis = event.key.toLowerCase();
     if (event.key === "Escape") {
       event.stopPropagation();
@@ -140,22 +135,33 @@ export function setUpGestures(host: Host, listener: GestureListener) {
     if (Math.round(radius_mm) !== state.radiusMm) radius_mm = state.radiusMm;
   });
   host.on("tick", (tick) => (along = tick.along));
+  host.on("applied", (applied) => {
+    hovered = applied.hovered;
+    if (pressed.size === 0) canvas.classList.toggle("over-landmark", hovered !== undefined);
+  });
+  host.on("frame", () => {
+    const at_px = pointer_px;
+    // The face may have moved under a resting pointer. Without `apply`, which would request a frame each time.
+    if (at_px && host.ask((studio) => studio.apply({ hover: at_px }))?.hovered !== hovered) hover(at_px);
+  });
   canvas.addEventListener("pointerdown", press);
   canvas.addEventListener("pointermove", move);
   canvas.addEventListener("pointerup", release);
-  canvas.addEventListener("pointercancel", cancel);
-  canvas.addEventListener("pointerleave", listener.leave);
-  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-  // Prevents autoscroll.
-  canvas.addEventListener("mousedown", (event) => event.button === 1 && event.preventDefault());
+  canvas.addEventListener("pointercancel", release);
+  canvas.addEventListener("pointerleave", () => hover(undefined));
   canvas.addEventListener("wheel", wheel, { passive: false });
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  // The middle button scrolls by the first event and, under Linux, pastes by the others.
+  for (const name of ["mousedown", "mouseup", "auxclick"] as const) {
+    canvas.addEventListener(name, (event) => event.button === 1 && event.preventDefault());
+  }
   addEventListener("keydown", key, { capture: true, signal: host.closed });
 }
 
 /** Centre of all fingers and distance of the first two. */
-function spreadOf(pressed: Map<number, Press>) {
-  const presses = [...pressed.values()];
-  const [first = { x: 0, y: 0 }, second = first] = presses;
-  const mean = (along: "x" | "y") => presses.reduce((sum, press) => sum + press[along], 0) / presses.length;
+function spreadOf(pressed: Map<number, Point>) {
+  const points = [...pressed.values()];
+  const [first = { x: 0, y: 0 }, second = first] = points;
+  const mean = (along: "x" | "y") => points.reduce((sum, point) => sum + point[along], 0) / points.length;
   return { x: mean("x"), y: mean("y"), apart: Math.hypot(first.x - second.x, first.y - second.y) };
 }

@@ -1,15 +1,16 @@
 import { asPageError } from "../page/page-error.ts";
 import { afterNextFrame, nextTask } from "../page/tasks.ts";
-import { isTrap, markTrapped, openStudio, restartingError, restartStudio, studioModule } from "../studio-module.ts";
-import { DeviceLossHandler } from "./device-loss.ts";
+import { isTrap, markTrapped, openStudio, restartingError, restartStudio, studioModule, watchWebGl } from "../studio-module.ts";
+import { followGpu } from "./device-loss.ts";
 import { followSize } from "./size.ts";
-import { watchWebGl } from "./webgl-errors.ts";
-import type { Catalogue, Changed, Intent, Phrase, State, Studio, Tick, Widget } from "../../wasm/rosto-studio-web.js";
+import type { Applied, Catalogue, Changed, Intent, State, Studio, Tick, Widget } from "../../wasm/rosto-studio-web.js";
 
 /** Shows and hides notices of an owner. */
 export interface Notices {
   show: (thrown: unknown, owner: "studio" | "gpu") => void;
   hide: (owner: "studio" | "gpu") => void;
+  /** Offers to load a module again that did not arrive. If omitted, {@link Host.open} throws. */
+  offerRetry?: (thrown: unknown, retry: () => void) => void;
 }
 
 /** Arguments of the listeners of each event. */
@@ -18,17 +19,17 @@ interface Events {
   change: State;
   /** After each change, and for each tick of an edit in progress. */
   tick: Tick;
+  /** After each intent. */
+  applied: Applied;
+  /** After each change of the canvas's size or the device-pixel ratio, and after a restart. */
+  size: undefined;
   /** After each drawn frame. */
   frame: undefined;
   /** When the photo has followed the edits, at most once per frame. */
   photo: undefined;
   /** The widgets of the panels that have changed. */
   panel: Widget[];
-  /** Announcements for screen readers. */
-  said: Phrase;
 }
-
-type Listeners = { [Name in keyof Events]?: ((value: Events[Name]) => void)[] };
 
 /** Maximum number of restarts per minute. */
 const MAX_RESTARTS = 3;
@@ -40,40 +41,54 @@ const RESTARTS_WITHIN_MS = 60_000;
  * studio's methods through `act`, `ask` and `answer`, for the length of one call.
  */
 export class Host {
-  readonly canvas: HTMLCanvasElement;
   /** Ids and ranges, which do not change. */
-  readonly catalogue: Catalogue;
-  #studio: Studio;
-  /** Identifies the studio: replaced when its module traps. */
-  #instance = {};
+  readonly catalogue: Catalogue = studioModule().catalogue();
+  /** The same object until a restart replaces the studio. */
+  instance = {};
   #isBroken = false;
   #restarts_ms: number[] = [];
   #restorers: (() => Promise<void>)[] = [];
-  #listeners: Listeners = {};
+  #listeners = new Map<keyof Events, ((value: never) => void)[]>();
   #frameIsPending = false;
   #photoIsPending = false;
   #closed = new AbortController();
-  #notices: Notices;
-  #gpu: DeviceLossHandler;
-  #fitSize: () => void;
+  #gpu;
+  #fitSize;
 
-  /** Opens a studio on the canvas. Throws `{code: "no-webgl", …}` if the browser cannot draw in 3D. */
-  static async open(canvas: HTMLCanvasElement, notices: Notices) {
-    return new Host(canvas, await openStudio(canvas), notices);
+  /**
+   * Opens a studio on the canvas. Throws `{code: "no-webgl", …}` if the browser cannot draw in 3D. If the module does
+   * not arrive, loads it again on request or when the browser is online again.
+   */
+  static async open(canvas: HTMLCanvasElement, notices: Notices): Promise<Host> {
+    try {
+      return new Host(canvas, await openStudio(canvas), notices);
+    } catch (error) {
+      const { offerRetry } = notices;
+      if (!offerRetry || asPageError(error).code !== "not-loaded") throw error;
+      await new Promise<void>((retry) => {
+        addEventListener("online", () => retry(), { once: true });
+        offerRetry(error, retry);
+      });
+      notices.hide("studio");
+      return Host.open(canvas, notices);
+    }
   }
 
   /** Open hosts, which share one module. */
-  static #open: Set<Host> = new Set();
+  static #open = new Set<Host>();
   /** Handled traps; several hosts may report the same one. */
-  static #handledTraps: WeakSet<Error> = new WeakSet();
+  static #handledTraps = new WeakSet<Error>();
 
-  constructor(canvas: HTMLCanvasElement, studio: Studio, notices: Notices) {
-    this.canvas = canvas;
-    this.#studio = studio;
-    this.catalogue = studioModule().catalogue();
-    this.#notices = notices;
-    this.#gpu = new DeviceLossHandler(this, notices);
-    this.#fitSize = followSize(canvas, (size_px) => this.apply({ resize: [size_px, devicePixelRatio] }), this.closed);
+  private constructor(
+    readonly canvas: HTMLCanvasElement,
+    private studio: Studio,
+    private readonly notices: Notices,
+  ) {
+    this.#gpu = followGpu(this, notices);
+    this.#fitSize = followSize(canvas, (size_px) => {
+      this.apply({ resize: [size_px, devicePixelRatio] });
+      this.#emit("size", undefined);
+    }, this.closed);
     Host.#open.add(this);
   }
 
@@ -82,27 +97,19 @@ export class Host {
     return this.#closed.signal;
   }
 
-  /** The same object until a restart replaces the studio. */
-  get instance() {
-    return this.#instance;
-  }
-
   /** Frees the studio and its GPU resources. The canvas cannot be used again. */
   close() {
     if (this.closed.aborted) return;
-    const isFree = !this.#isBroken;
-    this.#isBroken = true;
     this.#closed.abort();
     Host.#open.delete(this);
-    if (isFree) this.#studio.free();
+    if (!this.#isBroken) this.studio.free();
+    this.#isBroken = true;
     this.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
   }
 
   /** Calls `listener` for each event of this name. */
   on<Name extends keyof Events>(name: Name, listener: (value: Events[Name]) => void) {
-    const listeners: ((value: Events[Name]) => void)[] = this.#listeners[name] ?? [];
-    listeners.push(listener);
-    Object.assign(this.#listeners, { [name]: listeners });
+    this.#listeners.set(name, [...(this.#listeners.get(name) ?? []), listener]);
   }
 
   /** Calls `restore` after a restart, which restores the work. */
@@ -111,7 +118,7 @@ export class Host {
   }
 
   #emit<Name extends keyof Events>(name: Name, value: Events[Name]) {
-    for (const listener of this.#listeners[name] ?? []) this.ask(() => listener(value));
+    for (const listener of this.#listeners.get(name) ?? []) this.ask(() => listener(value as never));
   }
 
   /**
@@ -119,14 +126,14 @@ export class Host {
    * after an error or during a restart.
    */
   apply(intent: Intent) {
-    return this.#guarded(() => this.attempt(intent));
+    return this.ask(() => this.attempt(intent));
   }
 
   /** Like {@link apply}, but throws errors. */
   attempt(intent: Intent) {
     const applied = this.answer((studio) => studio.apply(intent));
     this.#follow(applied.changed);
-    if (applied.said) this.#emit("said", applied.said);
+    this.#emit("applied", applied);
     return applied;
   }
 
@@ -139,7 +146,7 @@ export class Host {
 
   /** Calls a method that changes the studio, notifies the listeners of the change, and shows errors. */
   act(call: (studio: Studio) => Changed | void) {
-    this.#guarded(() => this.perform(call));
+    this.ask(() => this.perform(call));
   }
 
   /** Like {@link act}, but throws errors. */
@@ -148,33 +155,18 @@ export class Host {
   }
 
   #follow(changed: Changed | void) {
-    const isDocument = changed === "document" || changed === "mesh";
     if (changed !== "nothing") this.requestFrame();
-    if (isDocument) this.announce();
-    if (changed === "tick") this.#announceTick();
-    if (isDocument || changed === "tick") this.updatePhoto();
-  }
-
-  /** Returns the studio's answer; undefined after an error, which is shown, or during a restart. */
-  ask<T>(question: (studio: Studio) => T): T | undefined {
-    return this.#guarded(() => this.answer(question));
-  }
-
-  #guarded<T>(call: () => T): T | undefined {
-    if (this.#isBroken) return undefined;
-    try {
-      return call();
-    } catch (error) {
-      this.fail(error);
-      return undefined;
-    }
+    if (changed === "document" || changed === "mesh") this.announce();
+    else if (changed === "tick") this.#announceTick();
+    else return;
+    this.updatePhoto();
   }
 
   /** Returns the studio's answer. Throws its errors, and `{code: "restarting", …}` during a restart. */
   answer<T>(question: (studio: Studio) => T): T {
     if (this.#isBroken) throw restartingError();
     try {
-      return question(this.#studio);
+      return question(this.studio);
     } catch (error) {
       // Immediately, so that no other caller enters the module.
       if (isTrap(error)) this.fail(error);
@@ -182,14 +174,15 @@ export class Host {
     }
   }
 
-  /** Draws a picture and returns its pixels. */
-  async picture(draw: (studio: Studio) => ReturnType<Studio["snapshot"]>) {
-    const instance = this.#instance;
-    const check = watchWebGl(this.canvas);
-    const picture = await this.answer(draw);
-    if (instance !== this.#instance) throw restartingError();
-    check();
-    return picture;
+  /** Returns the studio's answer; undefined after an error, which is shown, or during a restart. */
+  ask<T>(question: (studio: Studio) => T): T | undefined {
+    if (this.#isBroken) return undefined;
+    try {
+      return this.answer(question);
+    } catch (error) {
+      this.fail(error);
+      return undefined;
+    }
   }
 
   /** Reads from the state; undefined after an error or during a restart. */
@@ -197,11 +190,21 @@ export class Host {
     return this.ask((studio) => take(studio.state(), studio));
   }
 
+  /** Draws a picture and returns its pixels. */
+  async picture(draw: (studio: Studio) => ReturnType<Studio["snapshot"]>) {
+    const { instance } = this;
+    const check = watchWebGl(this.canvas);
+    const picture = await this.answer(draw);
+    if (instance !== this.instance) throw restartingError();
+    check();
+    return picture;
+  }
+
   /** Shows an error of the studio. After a trap, restarts all hosts. */
   fail(error: unknown) {
     if (!isTrap(error)) {
       const isLate = asPageError(error).code === "restarting";
-      if (isLate === this.#isBroken) this.#notices.show(error, "studio");
+      if (isLate === this.#isBroken) this.notices.show(error, "studio");
     } else if (!Host.#handledTraps.has(error)) {
       Host.#handledTraps.add(error);
       markTrapped();
@@ -227,7 +230,7 @@ export class Host {
 
   /** @param isTick whether only the edit in progress has changed */
   #showPanels(isTick: boolean) {
-    if (!this.#listeners.panel) return;
+    if (!this.#listeners.has("panel")) return;
     const widgets = this.ask((studio) => studio.panelDiff(isTick))?.widgets ?? [];
     if (widgets.length > 0) this.#emit("panel", widgets);
   }
@@ -270,25 +273,26 @@ export class Host {
   async #restart(trap: Error) {
     if (this.#isBroken) return;
     this.#isBroken = true;
-    this.#instance = {};
+    this.instance = {};
     console.warn("restarting the module after a trap:", trap);
+    const { message } = trap;
     const now_ms = performance.now();
     this.#restarts_ms = [...this.#restarts_ms.filter((at_ms) => now_ms - at_ms < RESTARTS_WITHIN_MS), now_ms];
     try {
-      if (this.#restarts_ms.length > MAX_RESTARTS) throw { code: "internal", message: trap.message, hint: "" };
+      if (this.#restarts_ms.length > MAX_RESTARTS) throw { code: "internal", message, hint: "" };
       const studio = await restartStudio(this.canvas);
       if (this.closed.aborted) return studio.free();
-      this.#studio = studio;
+      this.studio = studio;
       this.#isBroken = false;
       this.#gpu.watch();
       this.#fitSize();
       for (const restore of this.#restorers) await restore();
       this.announce();
       this.updatePhoto();
-      this.#notices.hide("gpu");
-      this.#notices.show({ code: "restarted", message: trap.message, hint: "" }, "studio");
+      this.notices.hide("gpu");
+      this.notices.show({ code: "restarted", message, hint: "" }, "studio");
     } catch (error) {
-      this.#notices.show(error, "studio");
+      this.notices.show(error, "studio");
     }
   }
 }

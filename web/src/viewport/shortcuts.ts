@@ -1,4 +1,4 @@
-import { isTyping } from "../page/dom.ts";
+import { isComposing, isTyping } from "../page/dom.ts";
 import type { Host } from "./host.ts";
 import type { Key } from "../../wasm/rosto-studio-web.js";
 
@@ -31,5 +31,5 @@ function isPressed({ key, with: held }: Key, event: KeyboardEvent) {
     ctrl: hasCtrl && !altKey && !shiftKey,
     "ctrl-shift": hasCtrl && !altKey && shiftKey,
   }[held];
-  return isHeld && !event.isComposing && (event.key === key || event.key.toLowerCase() === key);
+  return isHeld && !isComposing(event) && (event.key === key || event.key.toLowerCase() === key);
 }
