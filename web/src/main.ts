@@ -33,7 +33,7 @@ import { setUpViews } from "./viewport/split-view.ts";
 import { setUpViewportInsets } from "./viewport/viewport-insets.ts";
 import { followTexture } from "./viewport/whole-texture.ts";
 import { Autosave } from "./work/autosave.ts";
-import { FaceFiles } from "./work/face-files.ts";
+import { faceFiles } from "./work/face-files.ts";
 
 const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -77,7 +77,7 @@ async function openHost() {
     setUpKeys(opened, window, (id) => id.startsWith("key.turn") && completeHint("turn"));
     for (const setUp of [setUpBeforeAfter, setUpPulse, setUpViewportInsets, setUpViews, setUpBrushMarks]) setUp(opened);
     setUpPhotos(opened, opening, vision);
-    const files = new FaceFiles(opened, vision, opening);
+    const files = faceFiles(opened, vision, opening);
     followTexture(opened, files, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
     setUpExport({ host: opened, opening, files, pictureSize: () => overlay.pictureSize });
     forgetPaper = setUpPaper(opened, files);
