@@ -104,7 +104,7 @@ export class Autosave {
 
   /** The slots that no tab has open: the preferred one, then the latest, then those rejected before. */
   async #freeSlots(preferred: string) {
-    const slots = (await listSlots()).filter(({ isComplete, isLocked }) => isComplete && !isLocked);
+    const slots = (await listSlots()).filter(({ isLocked }) => !isLocked);
     const rank = (slot: string) => (this.#rejected.has(slot) ? 2 : slot === preferred ? 0 : 1);
     return slots.map(({ slot }) => slot).sort((one, other) => rank(one) - rank(other));
   }

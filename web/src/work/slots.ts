@@ -39,16 +39,13 @@ export async function listSlots() {
       byOrder.getAll(numbers),
     ]);
   });
-  const names = [...new Set([...slots, ...faces])];
-  const locked = await lockedAmong(names);
-  const listed = names.map((slot, index) => ({
-    slot,
-    order: Math.max(works[index]?.order ?? 0, draftOf(slot)?.order ?? 0),
-    isComplete: index < slots.length && faces.includes(slot),
-    isLocked: locked.has(slot),
-  }));
+  const locked = await lockedAmong(slots);
+  const listed = slots.map((slot, index) => {
+    const order = Math.max(works[index]?.order ?? 0, draftOf(slot)?.order ?? 0);
+    return { slot, order, isLocked: locked.has(slot) };
+  });
   latest = Math.max(latest, ...listed.map(({ order }) => order));
-  return listed.sort((one, other) => other.order - one.order);
+  return listed.filter(({ slot }) => faces.includes(slot)).sort((one, other) => other.order - one.order);
 }
 
 /**
