@@ -25,17 +25,6 @@ test("work survives a reload, is offered again, and can move to another browser 
   assert.deepEqual(await second.meshJson("mm"), work);
 });
 
-test("whoever leaves as soon as the face appears finds it again", async ({ visitor, page }) => {
-  await visitor.untilLoaded();
-  await page.click("#welcome [data-action='sample']");
-  await page.waitForSelector("body[data-state='face']");
-  await page.goto("about:blank");
-  await page.goBack();
-  await visitor.untilInteractive();
-  await page.click("#continue");
-  await visitor.untilFace();
-});
-
 test("the history lists the edits, and each can be switched off and on", async ({ editor, page }) => {
   const start = await editor.meshJson("mm");
   await editor.move("nose tip", "z", 9);

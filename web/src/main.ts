@@ -31,7 +31,7 @@ import { setUpKeys } from "./viewport/shortcuts.ts";
 import { setUpBeforeAfter, setUpViews } from "./viewport/views.ts";
 import { followTexture } from "./viewport/whole-texture.ts";
 import { Autosave } from "./work/autosave.ts";
-import { FaceFiles } from "./work/face-files.ts";
+import { faceFiles } from "./work/face-files.ts";
 
 const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -76,7 +76,7 @@ async function openHost() {
     setUpKeys(opened, window, (id) => id.startsWith("key.turn") && completeHint("turn"));
     for (const setUp of [setUpBeforeAfter, setUpPulse, setUpViewportInsets, setUpViews, setUpBrushMarks]) setUp(opened);
     setUpPhotos(opened, opening, vision);
-    const files = new FaceFiles(opened, vision, opening);
+    const files = faceFiles(opened, vision, opening);
     followTexture(opened, files, (isMaking) => document.body.toggleAttribute("data-texture", isMaking));
     setUpExport({ host: opened, opening, files, pictureSize: () => overlay.pictureSize });
     forgetPaper = setUpPaper(opened, files);

@@ -2,21 +2,28 @@ import { asPageError, noFace } from "./page/page-error.ts";
 import { nextTask } from "./page/tasks.ts";
 import { isTrap } from "./studio-module.ts";
 import { facesOf, filesWith, nameIn, photoOf } from "./work/face.ts";
-import { shownBefore } from "./work/recent-faces.ts";
-import type { Host,  } from "./viewport/host.ts";
+import type { VisionClient } from "./photo/vision-client.ts";
+import type { Host } from "./viewport/host.ts";
 import type { Face, FacePhoto, SourceFile } from "./work/face.ts";
-import type { ShownFace } from "./work/recent-faces.ts";
 import type { Stage } from "./worker/protocol.ts";
 import type { Changed, Studio } from "../wasm/rosto-studio-web.js";
-import type { VisionClient } from "./photo/vision-client.ts";
 
-export interface Loaded {
-  /** the face's pictures */
+export interface ShownFace {
+  face: Face;
+  /** all faces of the photo, including `face` */
+  faces: Face[];
+}
+
+/** `instance`: of the studio that shows the face */
+type Current = ShownFace & { host?: Host; instance?: object };
+
+export interface Incoming extends ShownFace {
+  /** the face's pictures; those that the studio has taken are removed */
   bitmaps: ImageBitmap[];
   /** to restore; otherwise, the current settings and view stay */
-  preferences?: string;
+  preferences?: string | undefined;
   /** time to find the landmarks */
-  extraction_ms?: number;
+  extraction_ms?: number | undefined;
   /** another program has changed the mesh in the file */
   changedElsewhere?: boolean;
   /** possibly not a face */
@@ -25,37 +32,30 @@ export interface Loaded {
   ofThisVisit?: boolean;
 }
 
-export type Incoming = ShownFace & Loaded;
-
-export type Display = { show: () => void; discard: () => void; };
-
-export type Current = ShownFace & { host?: Host; instance?: object; };
+export interface Display {
+  show: () => void;
+  discard: () => void;
+}
 
 export interface Listeners {
   /** a request has begun */
-  begun: () => void;
-  progress: (stage: Stage | "loading", fraction: number) => void;
+  begun?: () => void;
+  progress?: (stage: Stage | "loading", fraction: number) => void;
   /** prepares the display of the lead photo; the last step that can fail before the face opens */
-  prepare: (shown: ShownFace, picture: ImageBitmap) => Promise<Display>;
-  /** another face is about to replace the current one */
-  leaving: () => void;
+  prepare?: (shown: ShownFace, picture: ImageBitmap) => Promise<Display>;
   /** the studio shows this face */
-  started: (face: Face) => void;
-  opened: (incoming: Incoming) => void;
-  photosChanged: (shown: ShownFace) => void;
-  notAdded: (name: string, error: unknown) => void;
-  addedLittle: (name: string) => void;
-  /** after a trap too */
-  failed: (error: unknown) => void;
+  started?: (face: Face) => void;
+  opened?: (incoming: Incoming) => void;
+  photosChanged?: () => void;
+  addedLittle?: (name: string) => void;
+  /** after a trap too; `photo`: name of a photo that was not added */
+  failed?: (error: unknown, photo?: string) => void;
   /** a request has ended; `isNewest`: no newer one has begun */
-  ended: (isNewest: boolean) => void;
+  ended?: (isNewest: boolean) => void;
 }
 
-const NO_LISTENERS: Listeners = {
-  ...{ begun: () => {}, progress: () => {}, prepare: async () => ({ show: () => {}, discard: () => {} }) },
-  ...{ leaving: () => {}, started: () => {}, opened: () => {}, photosChanged: () => {} },
-  ...{ notAdded: () => {}, addedLittle: () => {}, failed: () => {}, ended: () => {} },
-};
+/** Number of earlier photos whose faces are offered. */
+const MAX_PHOTOS = 3;
 
 /** Saved files, which open without face detection. */
 const SAVED_NAME = /\.(glb|rosto)$/i;
@@ -63,16 +63,14 @@ const SAVED_NAME = /\.(glb|rosto)$/i;
 /** Errors that do not depend on the file. */
 const WORKER_CODES = new Set(["worker-died", "not-loaded"]);
 
-/** Rejection reason when a newer request supersedes this one. */
-export class Replaced extends Error {}
-
 /**
  * Single entry point for photos, files, the camera, the sample and restored work. A newer request cancels the pending
  * one. A face replaces the current one only after it was read and checked, so a failure leaves the current and the
  * saved work unchanged.
  */
 export class Opening {
-  #newest = 0;
+  /** The newest request. */
+  #request = new AbortController();
   /** Queue: a change takes several tasks, and changes must not interleave. */
   #queue: Promise<unknown> = Promise.resolve();
   #host;
@@ -83,10 +81,10 @@ export class Opening {
   #earlier: ShownFace[] = [];
 
   /** @param host undefined if the browser cannot draw in 3D */
-  constructor(host: Promise<Host | undefined>, vision: VisionClient, listeners: Partial<Listeners>) {
+  constructor(host: Promise<Host | undefined>, vision: VisionClient, listeners: Listeners) {
     this.#host = host;
     this.#vision = vision;
-    this.#listeners = { ...NO_LISTENERS, ...listeners };
+    this.#listeners = listeners;
     host.then((opened) => opened?.onRestart(() => this.#restore()));
   }
 
@@ -100,9 +98,14 @@ export class Opening {
     return this.#current?.faces ?? [];
   }
 
-  /** The faces shown before, latest first. */
-  get earlier() {
-    return this.#earlier;
+  /** The face shown last, and the latest one of each other photo. */
+  get recent() {
+    const photos = new Set(this.faces.map(photoKey));
+    return this.#earlier.map(({ face }) => face).filter((face, index) => {
+      const isNew = !photos.has(photoKey(face));
+      photos.add(photoKey(face));
+      return index === 0 || isNew;
+    });
   }
 
   /** The open face with its current photos and edits; as last read while the studio restarts after a crash. */
@@ -124,46 +127,44 @@ export class Opening {
    * @param edits to be applied to the face
    */
   openFile(file: Blob | Promise<Blob>, name?: string, edits?: string) {
-    return this.#open(async (isWanted) => {
+    return this.#run(async (signal) => {
       const blob = await file;
-      if (!isWanted()) throw new Replaced();
-      const incoming = await this.#read(blob, isWanted, name);
+      signal.throwIfAborted();
+      const incoming = await this.#read(blob, signal, name);
       if (edits !== undefined) incoming.face.edits = edits;
-      return incoming;
+      await this.#open(incoming, signal);
     });
   }
 
   /** Opens another face of the current photo, or returns to a face shown earlier; ignores other faces. */
   openFace(face: Face) {
-    return this.#open(async () => {
-      const isOfPhoto = this.faces.includes(face);
-      const shown = isOfPhoto ? { face, faces: this.faces } : this.#earlier.find((shown) => shown.face === face);
-      if (!shown || face === this.face) throw new Replaced();
-      return { ...(await this.#withBitmaps(shown)), ofThisVisit: true };
+    return this.#run(async (signal) => {
+      const shown = [{ face, faces: this.faces }, ...this.#earlier].find(({ faces }) => faces.includes(face));
+      if (!shown || face === this.face) return;
+      await this.#open({ face, faces: shown.faces, bitmaps: await this.#bitmapsOf(face), ofThisVisit: true }, signal);
     });
   }
 
   /** Opens saved work. */
   openWork(read: () => Promise<Face>) {
-    return this.#open(async () => {
+    return this.#run(async (signal) => {
       const face = await read();
-      try {
-        return { ...(await this.#withBitmaps({ face, faces: [face] })), ...(face.preferences && { preferences: face.preferences }) };
-      } catch (error) {
+      const bitmaps = await this.#bitmapsOf(face).catch((error) => {
         const { code, message } = asPageError(error);
         throw WORKER_CODES.has(code) ? error : { code: "bad-kept-work", message, hint: "" };
-      }
+      });
+      await this.#open({ face, faces: [face], bitmaps, preferences: face.preferences }, signal);
     });
   }
 
   /** Adds further photos of the open face. Reports each photo that cannot be added. */
   addPhotos(files: File[]) {
-    return this.#run(async (isWanted) => {
+    return this.#run(async (signal) => {
       for (const file of files) {
-        if (!isWanted()) return;
-        await this.#addPhoto(file, isWanted).catch((error) => {
-          if (isTrap(error) || !isWanted()) throw error;
-          this.#listeners.notAdded(file.name, error);
+        signal.throwIfAborted();
+        await this.#addPhoto(file, signal).catch((error) => {
+          if (isTrap(error) || signal.aborted) throw error;
+          this.#listeners.failed?.(error, file.name);
         });
       }
     });
@@ -182,15 +183,15 @@ export class Opening {
 
   /** Restores a photo removed from the open face. */
   restorePhoto(photo: FacePhoto) {
-    return this.#run(async (isWanted) => {
+    return this.#run(async (signal) => {
       const bitmaps = await this.#bitmapsOf(photo);
-      await this.#enqueue(() => this.#addFound(photo, bitmaps, isWanted));
+      await this.#enqueue(() => this.#addFound(photo, bitmaps, signal));
     });
   }
 
   /** Cancels the pending request. */
   cancel() {
-    this.#newest += 1;
+    this.#request.abort();
   }
 
   /** Shows the face again after the studio has crashed. */
@@ -200,42 +201,27 @@ export class Opening {
     this.cancel();
     try {
       await this.#enqueue(async () => {
-        const incoming = await this.#withBitmaps({ face, faces });
+        const bitmaps = await this.#bitmapsOf(face);
         // A later request follows in the queue and may fail, so this one is not cancelled.
-        await this.#install({ ...incoming, ...(face.preferences && { preferences: face.preferences }) }, () => true);
+        await this.#install({ face, faces, bitmaps, preferences: face.preferences }, new AbortController().signal);
       });
     } finally {
-      this.#listeners.ended(true);
+      this.#listeners.ended?.(true);
     }
   }
 
-  #ticket() {
-    const ticket = ++this.#newest;
-    return () => ticket === this.#newest;
-  }
-
-  #open(read: (isWanted: () => boolean) => Promise<Incoming>) {
-    return this.#run(async (isWanted) => {
-      const incoming = await read(isWanted);
-      await this.#enqueue(() => this.#install(incoming, isWanted));
-      this.#listeners.opened(incoming);
-    });
-  }
-
-  /**
-   * Runs a request, cancels the pending one and reports errors.
-   *
-   * @param act `isWanted` returns false once a newer request has begun
-   */
-  async #run(act: (isWanted: () => boolean) => Promise<unknown>) {
-    const isWanted = this.#ticket();
-    this.#listeners.begun();
+  /** Runs a request, cancels the pending one and reports errors. */
+  async #run(act: (signal: AbortSignal) => Promise<unknown>) {
+    this.cancel();
+    this.#request = new AbortController();
+    const { signal } = this.#request;
+    this.#listeners.begun?.();
     try {
-      await act(isWanted);
+      await act(signal);
     } catch (error) {
-      if (isWanted() && !(error instanceof Replaced)) this.#listeners.failed(error);
+      if (!signal.aborted) this.#listeners.failed?.(error);
     } finally {
-      this.#listeners.ended(isWanted());
+      this.#listeners.ended?.(!signal.aborted);
     }
   }
 
@@ -246,128 +232,125 @@ export class Opening {
     return done;
   }
 
-  /** Reads a file, and reports the progress while `isWanted` returns true. */
-  async #read(file: Blob, isWanted: () => boolean, name?: string): Promise<Incoming> {
-    if (!(file instanceof File && SAVED_NAME.test(file.name))) this.#listeners.progress("loading", 0);
+  async #read(file: Blob, signal: AbortSignal, name?: string): Promise<Incoming> {
+    const { progress } = this.#listeners;
+    if (!(file instanceof File && SAVED_NAME.test(file.name))) progress?.("loading", 0);
     // Measure from the first progress report, so that loading the worker does not count.
-    let begun_ms = NaN;
+    let begun_ms: number | undefined;
     const read = await this.#vision.open(file, (stage, fraction) => {
-      if (Number.isNaN(begun_ms)) begun_ms = performance.now();
-      if (isWanted()) this.#listeners.progress(stage, fraction);
+      begun_ms ??= performance.now();
+      if (!signal.aborted) progress?.(stage, fraction);
     });
     const { bitmaps, opened: { kind, changedElsewhere, faces: [found] } } = read;
     const defaultDensity = (await this.#host)?.catalogue.defaultDensity;
     const faces = facesOf(read, name ?? nameIn(file, found?.edits, defaultDensity));
     const [face] = faces;
     if (!found || !face) throw noFace();
-    const isMeasured = kind === "photo" && !Number.isNaN(begun_ms);
-    const facts = isMeasured ? { extraction_ms: performance.now() - begun_ms } : {};
-    return { face, faces, bitmaps, changedElsewhere, isDoubtful: found.isDoubtful, ...facts };
-  }
-
-  async #withBitmaps({ face, faces }: ShownFace) {
-    return { face, faces, bitmaps: await this.#bitmapsOf(face) };
+    const extraction_ms = kind === "photo" && begun_ms !== undefined ? performance.now() - begun_ms : undefined;
+    return { face, faces, bitmaps, changedElsewhere, isDoubtful: found.isDoubtful, extraction_ms };
   }
 
   #bitmapsOf({ pictures, files }: FacePhoto) {
     return Promise.all(pictures.map((picture) => this.#vision.request("picture", { picture, files })));
   }
 
+  async #open(incoming: Incoming, signal: AbortSignal) {
+    await this.#enqueue(() => this.#install(incoming, signal));
+    this.#listeners.opened?.(incoming);
+  }
+
   /** Opens a face in the studio, atomically and as the last step that can fail. */
-  async #install({ face, faces, bitmaps, preferences }: Incoming, isWanted: () => boolean) {
+  async #install({ face, faces, bitmaps, preferences }: Incoming, signal: AbortSignal) {
     const host = await this.#host;
-    const picture = bitmaps[face.lead];
-    if (!picture) throw new Error("no picture of the lead photo");
-    if (!isWanted()) {
-      closeAll(bitmaps);
-      throw new Replaced();
-    }
-    const prepared = await this.#listeners.prepare({ face, faces }, picture).catch((error) => {
-      closeAll(bitmaps);
-      throw error;
-    });
+    let display: Display | undefined;
     try {
-      if (host) await this.#show(host, { face, faces, bitmaps }, isWanted);
-      else if (!isWanted()) throw new Replaced();
+      signal.throwIfAborted();
+      const picture = bitmaps[face.lead];
+      if (!picture) throw new Error("no picture of the lead photo");
+      display = await this.#listeners.prepare?.({ face, faces }, picture);
+      if (host) await this.#show(host, { face, faces, bitmaps }, signal);
+      else this.#setCurrent({ face, faces });
     } catch (error) {
-      prepared.discard();
+      display?.discard();
       throw error;
-    }
-    if (!host) {
+    } finally {
       closeAll(bitmaps);
-      this.#setCurrent({ face, faces });
     }
     if (preferences) host?.apply({ "restore-preferences": preferences });
     this.remember();
+    if (host) this.#listeners.started?.(face);
     await nextTask();
-    prepared.show();
+    display?.show();
   }
 
-  /** Opens a face in the studio. Each picture is uploaded in its own task to keep the page responsive. */
-  async #show(host: Host, { face, faces, bitmaps }: Incoming, isWanted: () => boolean) {
-    await this.#addPictures(host, face.pictures, bitmaps, isWanted);
+  /** Opens a face in the studio. */
+  async #show(host: Host, { face, faces, bitmaps }: Incoming, signal: AbortSignal) {
+    await this.#addPictures(host, face.pictures, bitmaps, signal);
     // Save an edit in progress too.
     host.apply("commit");
     this.remember();
-    this.#listeners.leaving();
     host.perform((studio) => {
       const changed = studio.open(face.photos, face.edits, face.pictures);
       // Before the studio's listeners run.
       this.#setCurrent({ face, faces, host, instance: host.instance });
       return changed;
     });
-    this.#listeners.started(face);
   }
 
   #setCurrent(next: Current) {
-    this.#earlier = shownBefore([this.#current, ...this.#earlier], next.face);
+    const before = [this.#current, ...this.#earlier].filter((shown) => shown && shown.face !== next.face) as ShownFace[];
+    const photos = new Set([next, ...before].map(({ face }) => photoKey(face)));
+    const offered = [...photos].slice(0, 1 + MAX_PHOTOS);
+    this.#earlier = before.filter(({ face }) => offered.includes(photoKey(face)));
     this.#current = next;
   }
 
   /**
-   * Passes pictures to the studio, which then owns them, and closes the others. Throws `Replaced` if the request was
-   * cancelled.
+   * Passes pictures to the studio, which then owns them, and removes them from `bitmaps`. Each is uploaded in its own
+   * task to keep the page responsive.
    */
-  async #addPictures(host: Host, pictures: string[], bitmaps: ImageBitmap[], isWanted: () => boolean) {
-    const left = [...bitmaps];
-    try {
-      for (const [index, bitmap] of bitmaps.entries()) {
-        if (!isWanted()) throw new Replaced();
-        host.answer((studio) => studio.addPicture(pictures[index] ?? "", bitmap));
-        left.shift();
-        await nextTask();
-      }
-      if (!isWanted()) throw new Replaced();
-    } finally {
-      closeAll(left);
+  async #addPictures(host: Host, pictures: string[], bitmaps: ImageBitmap[], signal: AbortSignal) {
+    for (const picture of pictures) {
+      signal.throwIfAborted();
+      const [bitmap] = bitmaps;
+      if (bitmap) host.answer((studio) => studio.addPicture(picture, bitmap));
+      bitmaps.shift();
+      await nextTask();
     }
+    signal.throwIfAborted();
   }
 
-  async #addPhoto(file: File, isWanted: () => boolean) {
+  async #addPhoto(file: File, signal: AbortSignal) {
     const host = await this.#host;
     const max = host?.catalogue.maxPhotos ?? 1;
     if (this.face && this.face.pictures.length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
-    const { face, bitmaps } = await this.#read(file, isWanted);
+    const { face, bitmaps } = await this.#read(file, signal);
     if (face.files[0]?.kind === "saved") {
       closeAll(bitmaps);
       throw { code: "not-a-picture", message: "a saved face", hint: "" };
     }
-    await this.#enqueue(() => this.#addFound(face, bitmaps, isWanted));
-    if (host?.read(({ photos }) => photos.at(-1)?.adds) === false) this.#listeners.addedLittle(file.name);
+    await this.#enqueue(() => this.#addFound(face, bitmaps, signal));
+    if (host?.read(({ photos }) => photos.at(-1)?.adds) === false) this.#listeners.addedLittle?.(file.name);
   }
 
   /** Adds a photo whose landmarks are known; no-op if the face has it already. */
-  async #addFound({ photos, pictures: [picture = ""], files }: FacePhoto, bitmaps: ImageBitmap[], isWanted: () => boolean) {
+  async #addFound({ photos, pictures, files }: FacePhoto, bitmaps: ImageBitmap[], signal: AbortSignal) {
     const { face, host } = this.#current ?? {};
-    if (!face || !host || face.pictures.includes(picture)) return closeAll(bitmaps);
-    await this.#addPictures(host, [picture], bitmaps, isWanted);
+    const [picture = ""] = pictures;
+    try {
+      if (!face || !host || face.pictures.includes(picture)) return;
+      await this.#addPictures(host, [picture], bitmaps, signal);
+    } finally {
+      closeAll(bitmaps);
+    }
     await this.#changePhotos((studio) => studio.addPhoto(photos, picture), files);
   }
 
   /** Changes the photos of the open face in the studio, the saved work and the display. */
   async #changePhotos(act: (studio: Studio) => Changed, added: SourceFile[] = []) {
-    const { face, host } = this.#current ?? {};
-    if (!this.#current || !face || !host) return;
+    const current = this.#current;
+    if (!current?.host) return;
+    const { face, host } = current;
     const leadBefore = face.pictures[face.lead];
     host.perform((studio) => {
       const changed = act(studio);
@@ -377,19 +360,17 @@ export class Opening {
       return changed;
     });
     const lead = face.pictures[face.lead];
-    const isSameLead = lead === leadBefore;
-    if (!isSameLead) this.#current = { ...this.#current, faces: [face] };
-    const { faces } = this.#current;
-    this.#listeners.photosChanged({ face, faces });
-    if (isSameLead || lead === undefined) return;
+    if (lead !== leadBefore) current.faces = [face];
+    this.#listeners.photosChanged?.();
+    if (lead === leadBefore || lead === undefined) return;
     let bitmaps: ImageBitmap[] = [];
     try {
       bitmaps = await this.#bitmapsOf(photoOf(face, lead));
       const [bitmap] = bitmaps;
-      if (bitmap) (await this.#listeners.prepare({ face, faces }, bitmap)).show();
+      if (bitmap) (await this.#listeners.prepare?.(current, bitmap))?.show();
     } catch (error) {
       // The face itself has changed; only the display of its photo failed.
-      this.#listeners.failed({ code: "photo-not-shown", message: String(error), hint: "" });
+      this.#listeners.failed?.({ code: "photo-not-shown", message: String(error), hint: "" });
     } finally {
       closeAll(bitmaps);
     }
@@ -398,4 +379,9 @@ export class Opening {
 
 function closeAll(bitmaps: ImageBitmap[]) {
   for (const bitmap of bitmaps) bitmap.close();
+}
+
+/** Identifies the first photo of a face. */
+function photoKey({ files }: Face) {
+  return files[0]?.key;
 }

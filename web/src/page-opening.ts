@@ -1,20 +1,18 @@
+import { Opening } from "./opening.ts";
 import { byId } from "./page/dom.ts";
 import { showHints } from "./page/hint.ts";
 import { dismissNotices, showError, showNotAdded, showRemark } from "./page/notice.ts";
 import { hideProgress, showProgress } from "./page/progress.ts";
 import { resetPanel } from "./page/tabs.ts";
 import { isTrap } from "./studio-module.ts";
-import { Opening } from "./opening.ts";
-import { recentFaces } from "./work/recent-faces.ts";
 import type { Incoming } from "./opening.ts";
-import type { ShownFace } from "./work/recent-faces.ts";
-import type { Host } from "./viewport/host.ts";
-import type { VisionClient } from "./photo/vision-client.ts";
-import type { PhotoOverlay } from "./photo/photo-overlay.ts";
 import type { FaceChoice } from "./photo/face-choice.ts";
+import type { PhotoOverlay } from "./photo/photo-overlay.ts";
+import type { VisionClient } from "./photo/vision-client.ts";
+import type { Host } from "./viewport/host.ts";
 import type { Autosave } from "./work/autosave.ts";
 
-export interface Context {
+interface Context {
   /** undefined if the browser cannot draw in 3D */
   host: Promise<Host | undefined>;
   vision: VisionClient;
@@ -26,6 +24,9 @@ export interface Context {
 
 /** Opens faces on the page, with its panels, notices and autosave. */
 export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpened }: Context) {
+  const showFaces = () => {
+    faceChoice.show(opening.faces, opening.recent).catch((error) => console.warn("cannot show the recent faces:", error));
+  };
   const opening = new Opening(host, vision, {
     begun: () => {
       dismissNotices();
@@ -33,36 +34,34 @@ export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpe
     },
     progress: showProgress,
     prepare: async ({ face, faces }, picture) => {
-      const prepared = await overlay.prepare(face, picture);
+      const display = await overlay.prepare(face, picture);
       faceChoice.prepare(faces, picture);
-      return prepared;
+      return display;
     },
-    leaving: () => autosave.flush(),
     started: (face) => autosave.start(face),
     opened: (incoming) => {
       showOpened(incoming);
-      showFaces(incoming);
+      showFaces();
       // Fields that were being typed in can be updated again.
       host.then((ready) => ready?.announce());
       onOpened(incoming.extraction_ms);
     },
-    photosChanged: (shown) => {
-      autosave.flush();
-      showFaces(shown);
+    photosChanged: () => {
+      autosave.save();
+      showFaces();
     },
-    notAdded: showNotAdded,
     addedLittle: (name) => showRemark("adds-little", { name }),
-    // The host reports traps.
-    failed: (error) => isTrap(error) || showError(error),
+    failed: (error, photo) => {
+      // The host reports traps.
+      if (isTrap(error)) return;
+      if (photo === undefined) showError(error);
+      else showNotAdded(photo, error);
+    },
     ended: (isNewest) => {
       if (isNewest) hideProgress();
       faceChoice.mark(opening.face);
     },
   });
-
-  function showFaces({ faces }: ShownFace) {
-    faceChoice.show(faces, recentFaces(opening.earlier, faces)).catch((error) => console.warn("cannot show the recent faces:", error));
-  }
   return opening;
 }
 

@@ -6,7 +6,7 @@ import { setUpGestures } from "../viewport/gestures.ts";
 import { setUpMarks } from "../viewport/landmark-marks.ts";
 import { setUpKeys } from "../viewport/shortcuts.ts";
 import { followTexture } from "../viewport/whole-texture.ts";
-import { FaceFiles } from "../work/face-files.ts";
+import { faceFiles } from "../work/face-files.ts";
 import { loadWords } from "../words/words.ts";
 import { choices, index, oneOf, plain } from "./checks.ts";
 import type { Face } from "../work/face.ts";
@@ -60,7 +60,7 @@ export class FaceSession {
       },
       ended: (isNewest) => isNewest && listeners.progress?.(),
     });
-    this.#files = new FaceFiles(host, vision, this.#opening);
+    this.#files = faceFiles(host, vision, this.#opening);
     setUpMarks(host, { tag });
     setUpGestures(host);
     setUpKeys(host, host.canvas.getRootNode());

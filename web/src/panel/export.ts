@@ -6,7 +6,7 @@ import { setUpClip } from "../share/clip-button.ts";
 import { canCopyPictures, canShare, copyPicture, save, share } from "../share/share.ts";
 import { isWord, t } from "../words/words.ts";
 import { leadPhotoOf } from "../work/face.ts";
-import { fileName } from "../work/file-name.ts";
+import { fileName, numberedName } from "../work/file-name.ts";
 import type { Opening } from "../opening.ts";
 import type { Host } from "../viewport/host.ts";
 import type { FaceFiles } from "../work/face-files.ts";
@@ -45,8 +45,11 @@ function offerMeshes({ host, opening, files }: Context) {
   const makeMesh = async (format: string) => {
     // The face and its density may change meanwhile.
     const [options, name] = host.answer((studio) => [studio.fileOptions(), studio.fileName("")]);
+    const { face } = opening;
     const { bytes, extension, mediaType } = await files.mesh(format, options);
-    return new File([bytes], name + extension, { type: mediaType });
+    // The texture is the same at each density, and the view is saved as PNG, too.
+    const fullName = format === "png" ? fileName(face, extension, "texture") : name + extension;
+    return new File([bytes], fullName, { type: mediaType });
   };
   const makeGlb = async (isValidated: boolean) => {
     report({ "glb-started": { isValidated } });
@@ -171,8 +174,8 @@ function offerPhoto({ host, opening, files, pictureSize }: Context) {
     isWriting = true;
     report({ "writing-photo": true });
     try {
-      const name = fileName(face, extension, "edited");
-      save(new File([await files.editedPhoto(type)], name, { type }));
+      const photo = await files.editedPhoto(type);
+      save(new File([photo], numberedName(face, extension, "edited"), { type }));
     } finally {
       isWriting = false;
       report({ "writing-photo": false });
@@ -194,15 +197,18 @@ function offerPictures({ host, opening }: Context) {
   const sharesModels = canShare("model/gltf-binary", "face.glb");
   const sharesPictures = canShare("image/png", "face.png");
   host.applyShown({ report: { abilities: { sharesModels, sharesPictures, copiesPictures: canCopyPictures() } } });
-  const make = async (what: "view" | "pair") => {
-    // The face may change meanwhile.
-    const name = fileName(opening.face, "png", what === "pair" ? "before-after" : "view");
+  const draw = async (content: "view" | "before-after") => {
     const { drawPair, drawView } = await import("../share/pictures.ts");
-    const picture = await (what === "pair" ? drawPair(host, [t("before"), t("after")]) : drawView(host));
-    return new File([picture], name, { type: picture.type });
+    return content === "view" ? drawView(host) : drawPair(host, [t("before"), t("after")]);
+  };
+  const make = async (content: "view" | "before-after") => {
+    // The face may change meanwhile.
+    const { face } = opening;
+    const picture = await draw(content);
+    return new File([picture], numberedName(face, "png", content), { type: picture.type });
   };
   perform(host, "download-picture", async () => save(await make("view")));
-  perform(host, "copy-picture", () => copyPicture(make("view")).then(() => toast(t("export.copied"))));
-  perform(host, "download-pair", async () => save(await make("pair")));
-  perform(host, "share-pair", async () => share(await make("pair")));
+  perform(host, "copy-picture", () => copyPicture(draw("view")).then(() => toast(t("export.copied"))));
+  perform(host, "download-pair", async () => save(await make("before-after")));
+  perform(host, "share-pair", async () => share(await make("before-after")));
 }

@@ -2,7 +2,7 @@ import { announce } from "../page/announce.ts";
 import { byId } from "../page/dom.ts";
 import { toast } from "../page/toast.ts";
 import { t } from "../words/words.ts";
-import { fileName } from "../work/file-name.ts";
+import { numberedName } from "../work/file-name.ts";
 import { save } from "./share.ts";
 import type { Host } from "../viewport/host.ts";
 import type { WordKey } from "../words/words.ts";
@@ -40,7 +40,7 @@ export function setUpClip(host: Host, opening: { face: Face | undefined }) {
       const { recordClip } = await import("./clip.ts");
       const isSameFace = () => opening.face === face;
       const clip = await recordClip(host, { signal, isSameFace, onProgress: (fraction) => (bar.value = fraction) });
-      const name = fileName(face, clip.type === "video/mp4" ? "mp4" : "webm", "turning");
+      const name = numberedName(face, clip.type === "video/mp4" ? "mp4" : "webm", "turning");
       save(new File([clip], name, { type: clip.type }));
     } catch (error) {
       if (error === CANCELLED) return toast(t("clip.cancelled"));

@@ -1,16 +1,17 @@
 import { byId } from "../page/dom.ts";
-import { asPageError } from "../page/page-error.ts";
-import { afterNextFrame } from "../page/tasks.ts";
 import { setSavesWork, showError, showRemark } from "../page/notice.ts";
-import { allSlots, prune } from "./slots.ts";
+import { asPageError } from "../page/page-error.ts";
+import { attempt, TimeoutError } from "./database.ts";
+import { listSlots, prune } from "./slots.ts";
 import { StoredFace } from "./stored-face.ts";
-import { rememberTabSlot, tabSlot } from "./tab-slot.ts";
-import { TimeoutError } from "./timeout.ts";
-import type { Face } from "./face.ts";
 import type { Host } from "../viewport/host.ts";
+import type { Face } from "./face.ts";
 
-/** Debounce delay after the last change. */
+/** Debounce delay after an edit. While a page is left, edits are saved as a draft. */
 const SAVE_DELAY_MS = 200;
+
+/** Key in session storage, which survives a reload, of the slot that this tab has open. */
+const TAB_SLOT = "rosto.slot";
 
 /**
  * Saves the work in this browser, so that it survives a reload or a crash, and offers it on the next visit. Each opened
@@ -19,33 +20,46 @@ const SAVE_DELAY_MS = 200;
 export class Autosave {
   /** The face on the screen. */
   #now: StoredFace | undefined;
-  #visited: WeakMap<Face, StoredFace> = new WeakMap();
+  /** Read from the database, to be opened. */
+  #read: StoredFace | undefined;
+  #visited = new WeakMap<Face, StoredFace>();
+  /** Slots that were read but could not be opened. */
+  #rejected = new Set<string>();
   #remember;
   #timer = 0;
   #hasReported = false;
-  /** Read from the database, about to be opened. */
-  #reopened: StoredFace | undefined;
-  /** Slots that were read but could not be opened. */
-  #rejected: Set<string> = new Set();
 
   /** @param remember updates the face on the screen with its current edits */
   constructor(remember: () => void) {
     this.#remember = remember;
-    addEventListener("pagehide", () => this.#onPageHide());
+    addEventListener("pagehide", () => {
+      this.#leave();
+      // The page may enter the back/forward cache.
+      this.#now?.unlock();
+    });
     addEventListener("pageshow", ({ persisted }) => {
-      if (persisted) this.#onPageRestored();
+      if (!persisted) return;
+      this.#now?.lock();
+      this.save();
     });
     document.addEventListener("visibilitychange", () => {
-      if (document.visibilityState === "hidden") this.#saveDraft();
+      if (document.visibilityState === "hidden") this.#leave();
     });
   }
 
   /** Offers the work of the last visit: this tab's before a reload, or the latest that no tab has open. */
-  async offer(open: (read: () => Promise<Face>) => void) {
-    const [offered] = await this.#freeSlots(tabSlot()).catch(() => []);
+  async offer(open: (read: () => Promise<Face>) => Promise<void>) {
+    const preferred = attempt(() => sessionStorage.getItem(TAB_SLOT)) ?? "";
+    const [offered] = await this.#freeSlots(preferred).catch(() => []);
     if (offered === undefined || this.#now) return;
     const button = byId("continue", HTMLButtonElement);
-    button.addEventListener("click", () => open(() => this.#reopen(offered)));
+    button.addEventListener("click", async () => {
+      await open(() => this.#reopen(offered));
+      const read = this.#read;
+      if (!read || read === this.#now) return;
+      read.unlock();
+      this.#rejected.add(read.slot);
+    });
     button.hidden = false;
     // Make this the only primary button.
     for (const other of document.querySelectorAll("#welcome .primary")) other.classList.toggle("primary", other === button);
@@ -54,113 +68,82 @@ export class Autosave {
   /** Saves after each change from now on. */
   follow(host: Host) {
     host.on("change", () => {
-      if (this.#now) this.#saveSoon();
+      clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => this.save(), SAVE_DELAY_MS);
     });
   }
 
-  /** Saves pending changes now. */
-  flush() {
-    this.#save();
+  /** Saves a face that was just opened, to its earlier slot if it has one, and from now on its changes. */
+  start(face: Face) {
+    const before = this.#now;
+    const now = this.#visited.get(face) ?? new StoredFace(face);
+    this.#visited.set(face, now);
+    this.#now = now;
+    now.lock();
+    this.#rejected.delete(now.slot);
+    if (before && before !== now) this.#write(before).then(() => before !== this.#now && before.unlock());
+    // At once: the user may leave as soon as the face is shown.
+    this.save();
   }
 
-  /** Starts saving a face that was just opened, to its earlier slot if it has one. */
-  start(face: Face) {
-    const [before, reopened] = [this.#now, this.#reopened];
-    const now = this.#visited.get(face) ?? (reopened?.face === face ? reopened : new StoredFace(face));
-    for (const other of [before, reopened]) if (other !== now) other?.unlock();
-    now.lock();
-    [this.#reopened, this.#now] = [undefined, now];
-    this.#visited.set(face, now);
-    this.#rejected.delete(now.slot);
-    rememberTabSlot(now.slot);
-    // The current task brings the face to the screen. Whoever leaves right after keeps it.
-    afterNextFrame().then(() => this.#save());
+  /** Saves pending changes now. */
+  save() {
+    clearTimeout(this.#timer);
+    const now = this.#now;
+    if (!now) return;
+    this.#remember();
+    // If storage is blocked, the next visit offers the latest work instead.
+    attempt(() => sessionStorage.setItem(TAB_SLOT, now.slot));
+    this.#write(now);
+  }
+
+  #leave() {
+    this.save();
+    this.#now?.saveDraft();
   }
 
   /** The slots that no tab has open: the preferred one, then the latest, then those rejected before. */
-  async #freeSlots(preferred: string | null) {
-    const slots = (await allSlots()).filter(({ isComplete, isLocked }) => isComplete && !isLocked).map(({ slot }) => slot);
+  async #freeSlots(preferred: string) {
+    const slots = (await listSlots()).filter(({ isLocked }) => !isLocked);
     const rank = (slot: string) => (this.#rejected.has(slot) ? 2 : slot === preferred ? 0 : 1);
-    return slots.sort((a, b) => rank(a) - rank(b));
+    return slots.map(({ slot }) => slot).sort((one, other) => rank(one) - rank(other));
   }
 
-  /** Reads the offered work. If another tab has opened it or it is corrupt, reads the next. */
-  async #reopen(offered: string): Promise<Face> {
-    this.#reopened?.unlock();
-    this.#reopened = undefined;
+  /** Reads the offered work. If another tab has opened it or it is damaged, reads the next. */
+  async #reopen(offered: string) {
     try {
       for (const slot of await this.#freeSlots(offered)) {
-        const face = await this.#readSlot(slot);
-        if (face && slot !== offered) showRemark("earlier-work", {});
-        if (face) return face;
+        const read = await StoredFace.read(slot).catch(ignoreDamage);
+        if (!read) continue;
+        if (slot !== offered) showRemark("earlier-work", {});
+        this.#read = read;
+        this.#visited.set(read.face, read);
+        return read.face;
       }
-      const isElsewhere = (await allSlots()).some(({ slot, isLocked }) => isLocked && slot === offered);
+      const isElsewhere = (await listSlots()).some(({ slot, isLocked }) => isLocked && slot === offered);
       throw { code: isElsewhere ? "open-elsewhere" : "bad-kept-work", message: `slot ${offered}`, hint: "" };
     } catch (error) {
       throw asPageError(error, "kept-work-busy");
     }
   }
 
-  /** @returns undefined if another tab holds the slot, or it is corrupt */
-  async #readSlot(slot: string): Promise<Face | undefined> {
+  async #write(stored: StoredFace) {
     try {
-      const stored = await StoredFace.read(slot);
-      if (!stored) return undefined;
-      // Removed again once the face is open.
-      this.#rejected.add(slot);
-      this.#reopened = stored;
-      return stored.face;
-    } catch (error) {
-      if (error instanceof TimeoutError) throw error;
-      console.warn(error);
-      return undefined;
-    }
-  }
-
-  #saveSoon() {
-    clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.#save(), SAVE_DELAY_MS);
-  }
-
-  async #save() {
-    clearTimeout(this.#timer);
-    const now = this.#now;
-    if (!now) return;
-    this.#remember();
-    try {
-      const isNew = await now.save();
-      if (now === this.#now) rememberTabSlot(now.slot);
+      const isNew = await stored.save();
       this.#hasReported = false;
       setSavesWork(true);
       if (isNew) await prune().catch(() => {});
     } catch (error) {
-      this.#report(error);
+      setSavesWork(false);
+      // Once per series of failed saves.
+      if (!this.#hasReported) showError({ code: "not-kept", message: String(error), hint: "" });
+      this.#hasReported = true;
     }
   }
+}
 
-  #saveDraft() {
-    this.#save();
-    this.#now?.saveDraft();
-  }
-
-  /** The page may enter the back/forward cache, so the locks are released. */
-  #onPageHide() {
-    this.#saveDraft();
-    this.#now?.unlock();
-    this.#reopened?.unlock();
-  }
-
-  #onPageRestored() {
-    this.#now?.lock();
-    this.#now?.markDirty();
-    this.#save();
-  }
-
-  /** Shows an error once per series of failed saves. */
-  #report(error: unknown) {
-    setSavesWork(false);
-    if (this.#hasReported) return;
-    this.#hasReported = true;
-    showError({ code: "not-kept", message: String(error), hint: "" });
-  }
+function ignoreDamage(error: unknown) {
+  if (error instanceof TimeoutError) throw error;
+  console.warn(error);
+  return undefined;
 }

@@ -1,89 +1,108 @@
-import { withTimeout } from "./timeout.ts";
-
-/**
- * The IndexedDB database. A slot has one row in each store: `faces` holds the face with its photos, `done` its edits,
- * which change often. Another tab can block opening or a transaction indefinitely, so each step has a timeout.
+/*!
+ * idb 8.0.4, Copyright (c) 2016, Jake Archibald <jaffathecake@gmail.com>. ISC License: Permission to use, copy, modify,
+ * and/or distribute this software for any purpose with or without fee is hereby granted, provided that the above
+ * copyright notice and this permission notice appear in all copies. THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR
+ * DISCLAIMS ALL WARRANTIES WITH REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS.
+ * IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT, INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES
+ * WHATSOEVER RESULTING FROM LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER TORTIOUS
+ * ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF THIS SOFTWARE.
  */
-type Stores = { faces: IDBObjectStore; done: IDBObjectStore; };
 
-const DATABASE = "rosto";
-const VERSION = 1;
-const STORES = ["faces", "done"];
+import { openDB } from "idb";
+import type { DBSchema, IDBPDatabase, IDBPTransaction } from "idb";
+import type { Face, SourceFile } from "./face.ts";
+
+/** The part of a face that changes often. */
+export type Work = Required<Pick<Face, "photos" | "pictures" | "lead" | "edits" | "preferences">>;
+
+export interface FaceRow {
+  name: string;
+  /** bytes in browsers that cannot store blobs */
+  files: (Omit<SourceFile, "file"> & { file: Blob | ArrayBuffer })[];
+}
+
+/** `order`: save order of all slots */
+export type WorkRow = Work & { order: number };
+
+/** A slot has one row in each store. Rows can be damaged, so readers check them. */
+interface Schema extends DBSchema {
+  faces: { key: string; value: FaceRow };
+  done: { key: string; value: WorkRow; indexes: { order: number } };
+}
+
+const STORES: ("faces" | "done")[] = ["faces", "done"];
 
 const OPEN_MS = 5000;
 const BEGIN_MS = 5000;
 /** Full-size photos can amount to hundreds of megabytes. */
 const COMMIT_MS = 20_000;
 
-/** Index of the `done` store by save order. */
-export const ORDER = "order";
+/** Thrown if the browser does not answer in time. */
+export class TimeoutError extends Error {}
+
+/** Kept open: what is saved while the page is left has no time to wait. */
+let connection: Promise<IDBPDatabase<Schema>> | undefined;
 
 /**
  * Runs `act` in one transaction over both stores. Resolves after the commit: a request that succeeded can still be
- * rolled back, for example on a full disk.
+ * rolled back, for example on a full disk. Another tab can block each step indefinitely, so each has a timeout.
  *
  * @param act may await requests to these stores only
  */
-export async function transact<T>(mode: IDBTransactionMode, act: (stores: Stores) => Promise<T>): Promise<T> {
-  const database = await open();
+export async function transact<T, Mode extends IDBTransactionMode>(
+  mode: Mode,
+  act: (transaction: IDBPTransaction<Schema, typeof STORES, Mode>) => Promise<T>,
+) {
+  connection ??= connect();
+  const transaction = (await connection).transaction(STORES, mode);
   try {
-    return await committed(database.transaction(STORES, mode), act);
-  } finally {
-    database.close();
-  }
-}
-
-/** The result of a request as a promise. */
-export function resultOf<T>(request: IDBRequest<T>): Promise<T> {
-  return new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error);
-  });
-}
-
-async function committed<T>(transaction: IDBTransaction, act: (stores: Stores) => Promise<T>) {
-  const completed = new Promise((resolve, reject) => {
-    transaction.oncomplete = resolve;
-    transaction.onabort = () => reject(transaction.error ?? new Error("the transaction was aborted"));
-  });
-  // Awaited below; this avoids an unhandled rejection until then.
-  completed.catch(() => {});
-  const stores = { faces: transaction.objectStore("faces"), done: transaction.objectStore("done") };
-  try {
-    // A transaction starts after earlier ones, including those of other tabs.
-    await withTimeout(BEGIN_MS, resultOf(stores.done.count()), "beginning a transaction");
-    const [value] = await withTimeout(COMMIT_MS, Promise.all([act(stores), completed]), "committing a transaction");
-    return value;
+    // A transaction begins after earlier ones, including those of other tabs.
+    const begun = withTimeout(BEGIN_MS, transaction.objectStore("done").count(), "beginning a transaction");
+    const ended = Promise.all([act(transaction), begun, transaction.done]);
+    const [result] = await withTimeout(COMMIT_MS, ended, "committing a transaction");
+    return result;
   } catch (error) {
-    abort(transaction);
+    // Fails after a commit or an abort.
+    attempt(() => transaction.abort());
     throw error;
   }
 }
 
-function abort(transaction: IDBTransaction) {
+async function connect() {
+  const opening = Promise.resolve().then(() => openDB<Schema>("rosto", 1, {
+    upgrade: (database) => {
+      database.createObjectStore("faces");
+      database.createObjectStore("done").createIndex("order", "order");
+    },
+    // Another tab deletes the database, or has a newer version of the page.
+    blocking: (_version, _next, { target }) => {
+      connection = undefined;
+      (target as IDBDatabase).close();
+    },
+    terminated: () => (connection = undefined),
+  }));
   try {
-    transaction.abort();
+    return await withTimeout(OPEN_MS, opening, "opening the database");
+  } catch (error) {
+    connection = undefined;
+    throw error;
+  }
+}
+
+/** Rejects with {@link TimeoutError} if `promise` does not settle in time. */
+export function withTimeout<T>(limit_ms: number, promise: Promise<T>, operation: string): Promise<T> {
+  let timer = 0;
+  const timeout = new Promise<never>((_, reject) => {
+    timer = setTimeout(() => reject(new TimeoutError(`${operation}: no answer in ${limit_ms / 1000} s`)), limit_ms);
+  });
+  return Promise.race([promise, timeout]).finally(() => clearTimeout(timer));
+}
+
+/** Returns the result of `act`; undefined if it throws. */
+export function attempt<T>(act: () => T) {
+  try {
+    return act();
   } catch {
-    // Already committed or aborted.
+    return undefined;
   }
-}
-
-async function open() {
-  const request = indexedDB.open(DATABASE, VERSION);
-  request.onupgradeneeded = () => create(request.result);
-  const opening = resultOf(request);
-  try {
-    const database = await withTimeout(OPEN_MS, opening, "opening the database");
-    // Do not block an upgrade by a newer version of the page.
-    database.onversionchange = () => database.close();
-    return database;
-  } catch (error) {
-    opening.then((database) => database.close(), () => {});
-    throw error;
-  }
-}
-
-function create(database: IDBDatabase) {
-  const [, done] = STORES.map((name) => database.createObjectStore(name));
-  done?.createIndex(ORDER, ORDER);
 }

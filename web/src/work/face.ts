@@ -20,7 +20,7 @@ export interface Face {
   /** index of the lead photo */
   lead: number;
   /** in the studio's format; absent for a newly found face */
-  edits?: string;
+  edits?: string | undefined;
   /** settings and view in the studio's format; absent before the face was on the screen */
   preferences?: string;
 }
@@ -46,10 +46,9 @@ const VERSION = 1;
  */
 export function facesOf({ key, file, opened: { kind, faces } }: Opened, name: string): Face[] {
   const files = [{ key, file, kind }];
-  return faces.map(({ photos, edits, pictures, lead }, index) => ({
-    ...{ files, photos, pictures, lead, ...(edits !== undefined && { edits }) },
-    name: index === 0 ? name : `${name}-${index + 1}`,
-  }));
+  return faces.map(({ photos, edits, pictures, lead }, index) => {
+    return { name: index === 0 ? name : `${name}-${index + 1}`, files, photos, pictures, lead, edits };
+  });
 }
 
 /** Name of the face in a file, without the vertex count that the page appends to the names of other densities. */
@@ -100,10 +99,6 @@ export function photoOf({ photos, pictures, files }: Face, picture: string): Fac
 
 /** The files that contain one of the pictures. */
 export function filesWith(files: SourceFile[], pictures: string[]) {
-  return files.filter(({ key }) => pictures.some((picture) => fileKey(picture) === key));
-}
-
-/** Key of a picture's file. */
-export function fileKey(picture: string) {
-  return picture.slice(0, picture.lastIndexOf("/"));
+  const keys = pictures.map((picture) => picture.slice(0, picture.lastIndexOf("/")));
+  return files.filter(({ key }) => keys.includes(key));
 }

@@ -13,7 +13,11 @@ export function encoded(picture: Picture, type: "image/png" | "image/jpeg") {
   const context = canvas.getContext("2d", { willReadFrequently: true });
   context?.putImageData(imageDataOf(picture), 0, 0);
   // A JPEG has no transparency.
-  if (context && type === "image/jpeg") fillBelow(context, "white");
+  if (context && type === "image/jpeg") {
+    context.globalCompositeOperation = "destination-over";
+    context.fillStyle = "white";
+    context.fillRect(0, 0, picture.width, picture.height);
+  }
   return canvas.convertToBlob({ type, quality: JPEG_QUALITY });
 }
 
@@ -24,10 +28,4 @@ export function bitmapOf(picture: Picture) {
 
 export function imageDataOf({ rgba, width, height }: Picture) {
   return new ImageData(rgba, width, height);
-}
-
-function fillBelow(context: OffscreenCanvasRenderingContext2D, colour: string) {
-  context.globalCompositeOperation = "destination-over";
-  context.fillStyle = colour;
-  context.fillRect(0, 0, context.canvas.width, context.canvas.height);
 }

@@ -1,27 +1,22 @@
-import { writeDraft } from "./drafts.ts";
-import { lockSlot } from "./locks.ts";
-import { SlotConflict, readSlot, writeSlot } from "./slots.ts";
-import type { Work } from "./row-checks.ts";
+import { lockSlot, readSlot, SlotConflict, writeDraft, writeSlot } from "./slots.ts";
+import type { Work } from "./database.ts";
 import type { Face } from "./face.ts";
+import type { Stored } from "./slots.ts";
 
 /** A face opened in this tab, with its slot in the database. */
 export class StoredFace {
-  readonly face: Face;
-  #slot;
-  /** Save order of the slot when this tab last wrote or read it. */
-  #order: number | undefined;
-  /** The part that is already in the database; the work as JSON. */
-  #stored: { files?: Face["files"]; work?: string | undefined; } = {};
-  #wantsLock = false;
-  #release: (() => void) | undefined;
-  #locking: Promise<void> = Promise.resolve();
+  readonly face;
+  #slot: string = crypto.randomUUID();
+  /** What the slot contains, with the work as JSON; undefined before the first write. */
+  #stored: (Stored & { work?: string | undefined }) | undefined;
+  /** Resolves to the function that releases the slot. */
+  #lock: Promise<() => void> | undefined;
   /** Serialises writes: one in progress, and one queued. */
   #writing: Promise<unknown> = Promise.resolve();
   #queued: Promise<boolean> | undefined;
 
-  constructor(face: Face, slot: string = crypto.randomUUID()) {
+  constructor(face: Face) {
     this.face = face;
-    this.#slot = slot;
   }
 
   get slot() {
@@ -29,42 +24,35 @@ export class StoredFace {
   }
 
   /**
-   * Locks and reads a slot.
+   * Locks and reads a slot; throws if it is damaged.
    *
    * @returns undefined if another tab holds the lock
    */
-  static async read(slot: string): Promise<StoredFace | undefined> {
+  static async read(slot: string) {
     const release = await lockSlot(slot);
     if (!release) return undefined;
     try {
-      const { face, order } = await readSlot(slot);
-      const stored = new StoredFace(face, slot);
-      stored.#stored = { files: face.files };
-      stored.#order = order;
-      [stored.#wantsLock, stored.#release] = [true, release];
-      return stored;
+      const { face, stored } = await readSlot(slot);
+      const read = new StoredFace(face);
+      [read.#slot, read.#stored, read.#lock] = [slot, stored, Promise.resolve(release)];
+      return read;
     } catch (error) {
       release();
       throw error;
     }
   }
 
-  /** Locks the slot, or a new one if another tab holds it. Writes wait for the lock. */
+  /** Locks the slot, or a new one if another tab holds it. The next save writes the slot even without changes. */
   lock() {
-    this.#wantsLock = true;
-    this.#locking = this.#locking.then(() => this.#lock());
+    if (this.#lock) return;
+    if (this.#stored) this.#stored.work = undefined;
+    this.#lock = this.#acquire();
   }
 
   /** Releases the lock, for other tabs. */
   unlock() {
-    this.#wantsLock = false;
-    this.#release?.();
-    this.#release = undefined;
-  }
-
-  /** Forces the next save to write the slot even without changes. */
-  markDirty() {
-    this.#stored.work = undefined;
+    this.#lock?.then((release) => release());
+    this.#lock = undefined;
   }
 
   /**
@@ -72,7 +60,7 @@ export class StoredFace {
    *
    * @returns whether the face itself was written
    */
-  save(): Promise<boolean> {
+  save() {
     this.#queued ??= this.#writing.then(() => {
       this.#queued = undefined;
       return this.#write();
@@ -84,44 +72,40 @@ export class StoredFace {
   /** Writes unsaved edits synchronously: the page may unload before the database responds. */
   saveDraft() {
     const work = workOf(this.face);
-    if (work && JSON.stringify(work) !== this.#stored.work) writeDraft(this.#slot, work);
+    if (work && JSON.stringify(work) !== this.#stored?.work) writeDraft(this.#slot, work);
   }
 
-  async #lock() {
-    if (this.#release || !this.#wantsLock) return;
-    this.#setRelease((await lockSlot(this.#slot)) ?? (await this.#move()));
+  async #acquire(): Promise<() => void> {
+    const release = await lockSlot(this.#slot);
+    if (release) return release;
+    this.#useNewSlot();
+    return this.#acquire();
   }
 
-  #setRelease(release: (() => void) | undefined) {
-    this.#release = release;
-    if (!this.#wantsLock) this.unlock();
-  }
-
-  /** Switches to a new slot. */
-  #move() {
-    this.#slot = crypto.randomUUID();
-    this.#order = undefined;
-    this.#stored = {};
-    return lockSlot(this.#slot);
+  #useNewSlot() {
+    [this.#slot, this.#stored] = [crypto.randomUUID(), undefined];
   }
 
   async #write(): Promise<boolean> {
-    await this.#locking;
-    const { name, files } = this.face;
+    // A new slot is unknown to other tabs, and its first write must not wait: the page may be left any time.
+    if (this.#stored) await this.#lock;
+    const { files } = this.face;
     const work = workOf(this.face);
     const text = JSON.stringify(work);
-    const isFaceStored = files === this.#stored.files;
-    if (!work || (isFaceStored && text === this.#stored.work)) return false;
+    const hasFace = files === this.#stored?.files;
+    if (!work || (hasFace && text === this.#stored?.work)) return false;
     try {
-      this.#order = await writeSlot(this.#slot, { face: { name, files }, work, isFaceStored, ...(this.#order !== undefined && { since: this.#order }) });
-      this.#stored = { files, work: text };
-      return !isFaceStored;
+      const order = await writeSlot(this.#slot, this.face, work, this.#stored);
+      this.#stored = { order, files, work: text };
+      return !hasFace;
     } catch (error) {
       if (!(error instanceof SlotConflict)) throw error;
     }
     // Another tab has written the slot: leave its work there, and save to a new slot.
-    this.#release?.();
-    this.#setRelease(await this.#move());
+    const isLocked = this.#lock !== undefined;
+    this.unlock();
+    this.#useNewSlot();
+    if (isLocked) this.lock();
     return this.#write();
   }
 }

@@ -2,7 +2,6 @@
 
 import { checkLength, checkSize } from "../../wasm/rosto-vision-web.js";
 import { asPageError } from "../page/page-error.ts";
-import { bytesOf } from "../work/bytes.ts";
 import { filesWith } from "../work/face.ts";
 import type { Vision } from "../../wasm/rosto-vision-web.js";
 import type { SourceFile } from "../work/face.ts";
@@ -15,6 +14,15 @@ const SAVED = /^(glTF|\s*\{)/;
 const START_BYTES = 16;
 
 type Decode<T> = (bytes: Uint8Array, original?: Uint8Array) => T;
+
+/** Reads a file; throws `{code: "unreadable-file", …}` if it was deleted or may not be read. */
+export async function bytesOf(file: Blob) {
+  try {
+    return new Uint8Array(await file.arrayBuffer());
+  } catch (error) {
+    throw { code: "unreadable-file", message: String(error), hint: "" };
+  }
+}
 
 /** Reads a file, if it is not too large. */
 export async function readFile(file: Blob) {

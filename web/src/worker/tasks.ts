@@ -1,11 +1,10 @@
 import init, { Vision } from "../../wasm/rosto-vision-web.js";
 import { fetchFile } from "../files.ts";
 import { asPageError } from "../page/page-error.ts";
-import { bytesOf } from "../work/bytes.ts";
 import { bitmapOf, encoded } from "../work/pixels.ts";
 import { readPixels } from "./frames.ts";
 import { runPaper } from "./paper.ts";
-import { decoded, keepPictures, readFile } from "./source-files.ts";
+import { bytesOf, decoded, keepPictures, readFile } from "./source-files.ts";
 import type { FaceRequest, FileOptions } from "../../wasm/rosto-vision-web.js";
 import type { SourceFile } from "../work/face.ts";
 import type { PhotoType, Report } from "./protocol.ts";
