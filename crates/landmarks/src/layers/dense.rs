@@ -7,9 +7,12 @@ use super::widest;
 const LANES: usize = 8;
 /// Blocks computed together.
 const BLOCKS: usize = if cfg!(target_arch = "x86_64") { 2 } else { 1 };
-/// Pixels computed together. Uses eight vectors for sums, which leaves half of the sixteen registers for operands. The
-/// number does not affect the results.
-const PIXELS: usize = 4;
+/// Pixels computed together, with eight or twelve vectors for sums. The number does not affect the results.
+const PIXELS: usize = if cfg!(target_arch = "x86_64") { 4 } else { 6 };
+/// The same for the last pixels of a picture.
+const LAST_PIXELS: usize = 4;
+/// Number of inputs that are added without a bounds check in between.
+const STEP: usize = 4;
 
 /// A matrix product per pixel: `out = activated(bias + skip + weights · in)`.
 pub(crate) struct Dense {
@@ -77,6 +80,10 @@ impl Dense {
                 while done + PIXELS <= pixels {
                     self.tile::<PIXELS>(parts, step, skip, done, output);
                     done += PIXELS;
+                }
+                while done + LAST_PIXELS <= pixels {
+                    self.tile::<LAST_PIXELS>(parts, step, skip, done, output);
+                    done += LAST_PIXELS;
                 }
                 for pixel in done..pixels {
                     self.tile::<1>(parts, step, skip, pixel, output);
@@ -179,18 +186,41 @@ fn add_products<const P: usize, const B: usize>(
     let weights: [&[[f32; LANES]]; B] = std::array::from_fn(|b| &weights[b][..depth]);
     let pixels: [&[f32]; P] = std::array::from_fn(|p| &numbers[p * step..][..depth]);
     let mut local = *sums;
-    // Iterating instead of indexing removes the bounds checks on the weights if there is one block, as in the browser.
-    for (k, first) in weights[0].iter().enumerate() {
-        let weights: [&[f32; LANES]; B] = std::array::from_fn(|b| if b == 0 { first } else { &weights[b][k] });
-        for (sums, pixel) in local.iter_mut().zip(&pixels) {
+    let mut done = 0;
+    while done + STEP <= depth {
+        add_steps::<P, B, STEP>(&mut local, &pixels, &weights, done);
+        done += STEP;
+    }
+    for k in done..depth {
+        add_steps::<P, B, 1>(&mut local, &pixels, &weights, k);
+    }
+    *sums = local;
+}
+
+/// Adds `S` inputs, from `first` on.
+#[inline(always)]
+fn add_steps<const P: usize, const B: usize, const S: usize>(
+    sums: &mut [[[f32; LANES]; B]; P],
+    pixels: &[&[f32]; P],
+    weights: &[&[[f32; LANES]]; B],
+    first: usize,
+) {
+    let pixels: [&[f32; S]; P] = std::array::from_fn(|p| chunk(&pixels[p][first..]));
+    let weights: [&[[f32; LANES]; S]; B] = std::array::from_fn(|b| chunk(&weights[b][first..]));
+    for k in 0..S {
+        for (sums, pixel) in sums.iter_mut().zip(pixels) {
             for (sums, weights) in sums.iter_mut().zip(weights) {
-                for (sum, weight) in sums.iter_mut().zip(weights) {
+                for (sum, weight) in sums.iter_mut().zip(&weights[k]) {
                     *sum += pixel[k] * weight;
                 }
             }
         }
     }
-    *sums = local;
+}
+
+#[inline(always)]
+fn chunk<T, const S: usize>(numbers: &[T]) -> &[T; S] {
+    numbers.first_chunk().expect("invariant: the steps are within the depth")
 }
 
 /// The first eight numbers, padded with zeros.

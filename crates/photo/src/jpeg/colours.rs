@@ -42,12 +42,7 @@ impl Colours {
         let out = out.as_chunks_mut::<3>().0;
         match (self, rows) {
             (Self::YCbCr, [y, cb, cr, ..]) => {
-                let (groups, last) = out.as_chunks_mut::<16>();
-                let [y, cb, cr] = [y, cb, cr].map(|row| row.as_chunks::<16>());
-                for (((to, y), cb), cr) in groups.iter_mut().zip(y.0).zip(cb.0).zip(cr.0) {
-                    write_group(to, y, cb, cr);
-                }
-                for (((to, &y), &cb), &cr) in last.iter_mut().zip(y.1).zip(cb.1).zip(cr.1) {
+                for (((to, &y), &cb), &cr) in out.iter_mut().zip(*y).zip(*cb).zip(*cr) {
                     *to = rgb(y, cb, cr);
                 }
             }
@@ -64,20 +59,6 @@ impl Colours {
             }
             _ => out.iter_mut().zip(rows[0]).for_each(|(to, &grey)| *to = [grey; 3]),
         }
-    }
-}
-
-/// Converts a group of pixels in loops that the compiler can vectorise.
-#[inline(always)]
-fn write_group(to: &mut [[u8; 3]; 16], y: &[u8; 16], cb: &[u8; 16], cr: &[u8; 16]) {
-    let mut channels = [[0; 16]; 3];
-    for at in 0..16 {
-        let [r, g, b] = rgb(y[at], cb[at], cr[at]);
-        (channels[0][at], channels[1][at], channels[2][at]) = (r, g, b);
-    }
-    let [r, g, b] = channels;
-    for at in 0..16 {
-        to[at] = [r[at], g[at], b[at]];
     }
 }
 
