@@ -80,13 +80,14 @@ export function makeSlider(id: string, { range: limits, unit, axis }: Slider, se
     mark(number === undefined);
     if (number !== undefined) set(number);
   });
-  /** Takes the typed number. Not on "change", which browsers leave out if they remember the same text from before. */
+  /** Takes the typed number. Browsers leave out "change" if the text was typed before, and replaced meanwhile. */
   const commit = () => {
     const number = typed();
     endTyping();
     set(number ?? before);
     end(number === undefined ? "cancel" : "commit");
   };
+  field.addEventListener("change", () => isTyping() && commit());
   field.addEventListener("keydown", (event) => {
     if (event.key === "Enter" && isTyping()) commit();
     const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
