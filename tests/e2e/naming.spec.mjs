@@ -42,7 +42,7 @@ for (const [{ name, says }, tag] of variants([
   });
 }
 
-test("each picture has a name of its own that says what it shows", async ({ visitor }) => {
+test("pictures with different contents get different names", async ({ visitor }) => {
   await visitor.openFace("ana");
   for (const [action, name] of [
     ["download-png", "ana-texture.png"],

@@ -298,7 +298,8 @@ export class Opening {
   }
 
   #setCurrent(next: Current) {
-    const before = [this.#current, ...this.#earlier].filter((shown) => shown && shown.face !== next.face) as ShownFace[];
+    const shown = this.#current ? [this.#current, ...this.#earlier] : [];
+    const before = shown.filter(({ face }) => face !== next.face);
     const photos = new Set([next, ...before].map(({ face }) => photoKey(face)));
     const offered = [...photos].slice(0, 1 + MAX_PHOTOS);
     this.#earlier = before.filter(({ face }) => offered.includes(photoKey(face)));
@@ -323,7 +324,8 @@ export class Opening {
   async #addPhoto(file: File, signal: AbortSignal) {
     const host = await this.#host;
     const max = host?.catalogue.maxPhotos ?? 1;
-    if (this.face && this.face.pictures.length >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
+    const count = this.face?.pictures.length ?? 0;
+    if (count >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
     const { face, bitmaps } = await this.#read(file, signal);
     if (face.files[0]?.kind === "saved") {
       closeAll(bitmaps);

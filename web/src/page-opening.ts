@@ -24,9 +24,8 @@ interface Context {
 
 /** Opens faces on the page, with its panels, notices and autosave. */
 export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpened }: Context) {
-  const showFaces = () => {
-    faceChoice.show(opening.faces, opening.recent).catch((error) => console.warn("cannot show the recent faces:", error));
-  };
+  const warn = (error: unknown) => console.warn("cannot show the recent faces:", error);
+  const showFaces = () => faceChoice.show(opening.faces, opening.recent).catch(warn);
   const opening = new Opening(host, vision, {
     begun: () => {
       dismissNotices();

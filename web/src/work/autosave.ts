@@ -62,7 +62,8 @@ export class Autosave {
     });
     button.hidden = false;
     // Make this the only primary button.
-    for (const other of document.querySelectorAll("#welcome .primary")) other.classList.toggle("primary", other === button);
+    const primary = document.querySelectorAll("#welcome .primary");
+    for (const other of primary) other.classList.toggle("primary", other === button);
   }
 
   /** Saves after each change from now on. */

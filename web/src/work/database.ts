@@ -40,7 +40,7 @@ const COMMIT_MS = 20_000;
 /** Thrown if the browser does not answer in time. */
 export class TimeoutError extends Error {}
 
-/** Kept open: what is saved while the page is left has no time to wait. */
+/** Kept open, because a page that is being left has no time to wait. */
 let connection: Promise<IDBPDatabase<Schema>> | undefined;
 
 /**

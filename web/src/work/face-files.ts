@@ -11,8 +11,8 @@ const BUNDLED_NAME = "face";
 export type FaceFiles = ReturnType<typeof faceFiles>;
 
 /**
- * Files of the open face, with its current edits. The worker makes them, to keep the main thread responsive. Each method
- * throws `no-face` if no face is open, and `restarting` during a restart.
+ * Files of the open face, with its current edits. The worker makes them, to keep the main thread responsive. Each
+ * method throws `no-face` if no face is open, and `restarting` during a restart.
  */
 export function faceFiles(host: Host, vision: VisionClient, opening: { remember: () => Face | undefined }) {
   const open = () => {

@@ -70,8 +70,8 @@ export function viewsOf(photos: string): PhotoView[] {
     const bytes = Uint8Array.from(atob(observation), (character) => character.charCodeAt(0));
     const view = new DataView(bytes.buffer);
     if (view.getUint8(0) !== VERSION) throw new Error("a photo of another version");
-    const coordinates = 3 * view.getUint16(COUNT_AT, true);
-    const landmarks = Float32Array.from({ length: coordinates }, (_, at) => view.getFloat32(LANDMARKS_AT + 4 * at, true));
+    const length = 3 * view.getUint16(COUNT_AT, true);
+    const landmarks = Float32Array.from({ length }, (_, at) => view.getFloat32(LANDMARKS_AT + 4 * at, true));
     return { width_px: view.getUint32(WIDTH_AT, true), height_px: view.getUint32(HEIGHT_AT, true), landmarks };
   });
 }

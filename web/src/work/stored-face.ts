@@ -7,7 +7,7 @@ import type { Stored } from "./slots.ts";
 export class StoredFace {
   readonly face;
   #slot: string = crypto.randomUUID();
-  /** What the slot contains, with the work as JSON; undefined before the first write. */
+  /** Content of the slot, with the work as JSON; undefined before the first write. */
   #stored: (Stored & { work?: string | undefined }) | undefined;
   /** Resolves to the function that releases the slot. */
   #lock: Promise<() => void> | undefined;
