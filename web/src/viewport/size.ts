@@ -16,16 +16,12 @@ export function followSize(canvas: HTMLCanvasElement, apply: (size_px: [number, 
     observer.observe(canvas);
   }
   signal.addEventListener("abort", () => observer.disconnect());
-  followPixelRatio(fit, signal);
-  return fit;
-}
-
-function followPixelRatio(fit: () => void, signal: AbortSignal) {
-  const onChange = () => {
+  const followRatio = () => {
     fit();
-    followPixelRatio(fit, signal);
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", followRatio, { once: true, signal });
   };
-  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", onChange, { once: true, signal });
+  followRatio();
+  return fit;
 }
 
 /** Size of the canvas in device pixels; exact if the browser reports it. */
