@@ -7,7 +7,7 @@ use rosto_laplacian::LaplacianError;
 use rosto_session::{Intent, MAX_OFFSET_M, MAX_SHOWN_DENSITY, RADIUS_MM, Selection, Session, SessionError};
 use rosto_stage::Light;
 use rosto_studio::project::ProjectError;
-use rosto_studio::{FaceSlider, StudioError, Switch};
+use rosto_studio::{FaceSlider, MAX_ENTRIES, StudioError, Switch};
 
 use crate::faces::{detected, found, session, with_history};
 use crate::invariants::{check, check_thoroughly, seen};
