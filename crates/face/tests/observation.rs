@@ -138,7 +138,8 @@ fn landmarks_that_cannot_be_a_face_are_refused() {
     let shuffled = |index: usize, _| canonical().landmarks[(index * 101) % LANDMARK_COUNT];
     let mirrored = |_, [x, y, z]: [f32; 3]| [1.0 - x, y, z];
     let inside_out = |_, [x, y, z]: [f32; 3]| [x, y, -z];
-    let collapsed = |index: usize, [x, y, z]: [f32; 3]| if index.is_multiple_of(2) { [x, y, z] } else { [0.5, 0.5, 0.0] };
+    let collapsed =
+        |index: usize, [x, y, z]: [f32; 3]| if index.is_multiple_of(2) { [x, y, z] } else { [0.5, 0.5, 0.0] };
     for change in [&random as &dyn Fn(usize, [f32; 3]) -> [f32; 3], &shuffled, &mirrored, &inside_out, &collapsed] {
         let refusal = refused(change);
         assert!(matches!(refusal, FaceError::NotAFace { .. }), "{refusal}");
