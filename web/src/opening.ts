@@ -268,6 +268,7 @@ export class Opening {
       const picture = bitmaps[face.lead];
       if (!picture) throw new Error("no picture of the lead photo");
       display = await this.#listeners.prepare?.({ face, faces }, picture);
+      signal.throwIfAborted();
       if (host) await this.#show(host, { face, faces, bitmaps }, signal);
       else this.#setCurrent({ face, faces });
     } catch (error) {
