@@ -9,7 +9,7 @@ import { faceless } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 /** Presses of an arrow key that turn the face far enough to show a side. */
-const PRESSES = 5;
+const PRESSES = 7;
 
 /** Saves a picture of the turned 3D face, which serves as another photo of the head. */
 async function turnedPhoto(visitor, key) {
