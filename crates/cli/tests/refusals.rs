@@ -39,7 +39,7 @@ fn edits_that_cannot_be_made() {
     edit("4:0,0,0.1:10,9999", &["vertex 9999 does not exist"]);
     let dense = ["--density", "1", "--edit", "9999@1:0,0,0.1"];
     refused(&portrait(), "a.json", &dense, 5, &["vertex 9999 does not exist", "are 0 to 1"]);
-    let far = ["--units", "image", "--constraint", "exact", "--edit", "4:0,0,1e308", "--edit", "4:0,0,1e308"];
+    let far = ["--units", "image", "--constraint", "exact", "--edit", "4:0,0,0.1", "--edit", "4:0,0,1e308"];
     refused(&portrait(), "a.json", &far, 5, &["edit 2 (vertex 4)", "non-finite", "smaller offsets"]);
 }
 
