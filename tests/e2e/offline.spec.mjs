@@ -40,7 +40,7 @@ for (const [[what, interceptor], tag] of [[["is unreachable"], []], ...variants(
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-tone='success']");
     // Its script loads later than the page's.
-    assert.equal((await visitor.save("download-picture")).name, "sample.png");
+    assert.equal((await visitor.save("download-picture")).name, "sample-view.png");
   });
 }
 
