@@ -100,7 +100,7 @@ test("a photo without a face is rejected by name, and one from the same side is 
   assert.equal((await visitor.history()).length, 1);
 });
 
-test("a photo is removed once, however often its button is pressed, and can be restored by mouse or keyboard", async ({ visitor, page }) => {
+test("a photo is removed once, however often its button is pressed, and can be restored by mouse or keyboard", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await page.setInputFiles("#further-files", [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")]);
   await untilPhotos(visitor, 3);
