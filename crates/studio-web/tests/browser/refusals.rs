@@ -51,7 +51,7 @@ async fn refusals_have_codes_and_keep_the_face() {
         assert_eq!(code(&studio.open(&photos, edits, pictures).unwrap_err()), why, "{photos}");
     }
     // A distortion that no camera explains.
-    let distorted = |[x, y, z]: [f32; 3]| [x, y + 0.05 * (20.0 * y).sin(), z];
+    let distorted = |[x, y, z]: [f32; 3]| [x + 0.05 * (40.0 * y).sin(), y, z];
     let strange = Observation { landmarks: found().landmarks.into_iter().map(distorted).collect(), ..found() };
     studio.add_picture("other/0".to_owned(), bitmap(2).await).unwrap();
     assert_eq!(code(&studio.add_photo(&photos(vec![strange]), "other/0".to_owned()).unwrap_err()), "another-face");
