@@ -79,8 +79,8 @@ export async function writeSlot(slot: string, { name, files }: Face, work: Work,
     const puts = [done.put({ ...work, order }, slot)];
     // The browser or the user may have cleared the database meanwhile.
     if (key === undefined || stored?.files !== files) puts.push(faces.put(row, slot));
-    // Also completes if the page is left now.
-    transaction.commit();
+    // Also completes if the page is left now. WebKit does not store such a transaction.
+    if (!navigator.vendor.startsWith("Apple")) transaction.commit();
     await Promise.all(puts);
     return order;
   });
