@@ -134,7 +134,7 @@ for (const [[what, block], tag] of variants(/** @type {const} */ ([["cannot be r
 for (const [{ drawn, needs, file, isByItself }, tag] of variants([
   { drawn: "WebGPU", needs: "gpu", file: "**/rosto-studio-web_bg.wasm", isByItself: false },
   { drawn: "WebGPU", needs: "gpu", file: "**/rosto-studio-web_bg.wasm", isByItself: true },
-  { drawn: "WebGL2", needs: "webgl", file: "**/rosto-studio-webgl*", isByItself: false },
+  { drawn: "WebGL2", needs: "webgl", file: "**/rosto-studio-webgl_bg.wasm", isByItself: false },
 ])) {
   const when = isByItself ? "the browser is online again" : "the user asks for it";
   test(`a module for ${drawn} that did not load is loaded when ${when}`, { tag: [...tag, `@${needs}`] }, async ({ open }) => {
