@@ -28,12 +28,15 @@ test("a point of the densest mesh can be clicked, dragged and undone, with the c
   assert.equal(await page.inputValue("#density"), "3");
   await editor.findLandmark("nose tip");
   const tip = await editor.tagPosition();
+  // Removes the gizmo, which a click would hit.
+  await page.focus("#viewport");
+  await page.keyboard.press("Escape");
   // Next to the nose, away from landmarks.
   await page.mouse.click(tip.x + 31, tip.y + 7);
   await editor.frames(3);
   const vertex = await editor.selectedPoint();
   assert.ok(vertex >= LANDMARKS && vertex < DENSEST, `${vertex}`);
-  assert.match(await page.innerText("#landmark-tag"), /^point [\d,]+ near the .+$/);
+  assert.match(await page.innerText("#landmark-tag"), /^point \d+ near the .+$/);
   const at = await editor.tagPosition();
   const start = await editor.meshJson("mm");
   assert.equal(start.positions.length, DENSEST);
@@ -49,12 +52,12 @@ test("a point of the densest mesh can be clicked, dragged and undone, with the c
   assert.ok(offset[0] > 0.5 && offset[1] > 1, `${offset}`);
   assert.ok(maxDisplacement(start, moved) < 1.2 * Math.hypot(...offset));
   const [entry] = await editor.history();
-  assert.match(entry, new RegExp(`^point ${vertex.toLocaleString("en")} near the `));
+  assert.match(entry, new RegExp(`^point ${vertex} near the `));
 
   const edit = `${vertex}@3:${offset.join(",")}`;
   assertSameShape(moved, await meshByCommandLine(SAMPLE, [...PAGE_EDIT_OPTIONS, "--density", "3", "--edit", edit]));
   await page.selectOption("#language", "pt");
-  assert.match((await editor.history())[0], new RegExp(`^ponto ${vertex.toLocaleString("de")} perto d[ao] `));
+  assert.match((await editor.history())[0], new RegExp(`^ponto ${vertex} perto d[ao] `));
   await page.click("#toolbar [data-action='undo']");
   assert.deepEqual(await editor.meshJson("mm"), start);
 });
@@ -72,7 +75,7 @@ test("a point moves by sliders on both sides, waits on a coarser mesh, and can b
 
   await editor.reveal("#point-density");
   await page.selectOption("#point-density", "0");
-  assert.deepEqual(await editor.history(), [`point 1,500 near the ${(await editor.history())[0].split(" near the ")[1]}`]);
+  assert.deepEqual(await editor.history(), [`point 1500 near the ${(await editor.history())[0].split(" near the ")[1]}`]);
   assert.match(await page.innerText("#history .check-notes > :nth-child(2)"), /1,833 points/);
   assert.match(await page.inputValue("#landmark-search"), / · \d+$/);
   assert.equal((await editor.meshJson("mm")).positions.length, LANDMARKS);
