@@ -32,10 +32,7 @@ interface Schema extends DBSchema {
 
 const STORES: ("faces" | "done")[] = ["faces", "done"];
 
-const OPEN_MS = 5000;
-const BEGIN_MS = 5000;
-/** Full-size photos can amount to hundreds of megabytes. */
-const COMMIT_MS = 20_000;
+const ANSWER_MS = 5000;
 
 /** Thrown if the browser does not answer in time. */
 export class TimeoutError extends Error {}
@@ -45,21 +42,20 @@ let connection: Promise<IDBPDatabase<Schema>> | undefined;
 
 /**
  * Runs `act` in one transaction over both stores. Resolves after the commit: a request that succeeded can still be
- * rolled back, for example on a full disk. Another tab can block each step indefinitely, so each has a timeout.
+ * rolled back, for example on a full disk. Another tab can block the database indefinitely, so there is a limit.
  *
  * @param act may await requests to these stores only
  */
 export async function transact<T, Mode extends IDBTransactionMode>(
   mode: Mode,
   act: (transaction: IDBPTransaction<Schema, typeof STORES, Mode>) => Promise<T>,
+  limit_ms = ANSWER_MS,
 ) {
   connection ??= connect();
   const transaction = (await connection).transaction(STORES, mode);
   try {
-    // A transaction begins after earlier ones, including those of other tabs.
-    const begun = withTimeout(BEGIN_MS, transaction.objectStore("done").count(), "beginning a transaction");
-    const ended = Promise.all([act(transaction), begun, transaction.done]);
-    const [result] = await withTimeout(COMMIT_MS, ended, "committing a transaction");
+    const ended = Promise.all([act(transaction), transaction.done]);
+    const [result] = await withTimeout(limit_ms, ended, `a ${mode} transaction`);
     return result;
   } catch (error) {
     // Fails after a commit or an abort.
@@ -82,7 +78,7 @@ async function connect() {
     terminated: () => (connection = undefined),
   }));
   try {
-    return await withTimeout(OPEN_MS, opening, "opening the database");
+    return await withTimeout(ANSWER_MS, opening, "opening the database");
   } catch (error) {
     connection = undefined;
     throw error;

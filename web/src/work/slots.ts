@@ -11,6 +11,9 @@ export interface Stored {
   files: SourceFile[];
 }
 
+/** Time for files to be stored: full-size photos can amount to hundreds of megabytes. */
+const STORE_FILES_MS = 20_000;
+
 /** Number of slots to keep that no tab has open. */
 const MAX_FREE_SLOTS = 6;
 
@@ -76,14 +79,15 @@ export async function writeSlot(slot: string, { name, files }: Face, work: Work,
     const [key, previous] = stored ? await Promise.all([faces.getKey(slot), done.get(slot)]) : [];
     if (previous && previous.order !== stored?.order) throw new SlotConflict(`slot ${slot}`);
     const order = nextOrder();
-    const puts = [done.put({ ...work, order }, slot)];
-    // The browser or the user may have cleared the database meanwhile.
-    if (key === undefined || stored?.files !== files) puts.push(faces.put(row, slot));
-    // Also completes if the page is left now. WebKit does not store such a transaction.
-    if (!navigator.vendor.startsWith("Apple")) transaction.commit();
+    // The browser or the user may have cleared the database meanwhile. The face is put first: WebKit's private windows
+    // refuse blobs, and block the database if another request is pending before the refused one.
+    const isFaceStored = key !== undefined && stored?.files === files;
+    const puts = [...(isFaceStored ? [] : [faces.put(row, slot)]), done.put({ ...work, order }, slot)];
+    // Also completes if the page is left now.
+    if (!stored) transaction.commit();
     await Promise.all(puts);
     return order;
-  });
+  }, stored?.files === files ? undefined : STORE_FILES_MS);
   const order = await write({ name, files }).catch(async (error) => {
     if (error instanceof TimeoutError || error instanceof SlotConflict) throw error;
     // The browser may refuse blobs, as in some private windows.
