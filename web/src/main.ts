@@ -9,7 +9,7 @@ import { countRequests } from "./page/privacy.ts";
 import { setUpProgress } from "./page/progress.ts";
 import { setUpLanguage, setUpTheme, theme } from "./page/settings.ts";
 import { setUpTabs } from "./page/tabs.ts";
-import { afterNextFrame } from "./page/tasks.ts";
+import { afterNextFrame, nextTask } from "./page/tasks.ts";
 import { startValidator } from "./page/validator.ts";
 import { loadPictures, setUpExport } from "./panel/export.ts";
 import { setUpPanels } from "./panel/page-panels.ts";
@@ -70,7 +70,10 @@ async function openHost() {
     const opened = await Host.open(byId("viewport", HTMLCanvasElement), { show: showError, hide: hideNotice, offerRetry });
     overlay.follow(opened);
     opened.on("applied", ({ said }) => said && announce(textOf(said)));
+    // Several tasks, to keep the page responsive.
+    await nextTask();
     setUpPanels(opened);
+    await nextTask();
     setUpMarks(opened, { tag: byId("landmark-tag", HTMLOutputElement), overlay, announce });
     setUpGestures(opened, completeHint);
     setUpKeys(opened, window, (id) => id.startsWith("key.turn") && completeHint("turn"));

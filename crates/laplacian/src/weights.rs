@@ -89,10 +89,8 @@ pub(crate) fn equal_shares(topology: &Topology, weights: &[f64]) -> Vec<[f64; 3]
 /// For each triangle, the edges opposite its corners as indices into [`Topology::edges`].
 fn triangle_edges(topology: &Topology) -> impl Iterator<Item = [usize; 3]> {
     topology.triangles().iter().map(|&[a, b, c]| {
-        [[b, c], [c, a], [a, b]].map(|[from, to]| {
-            let edge = topology.edges().binary_search(&[from.min(to), from.max(to)]);
-            edge.expect("invariant: a triangle's sides are edges")
-        })
+        let edge = |from, to| topology.edge(from, to).expect("invariant: a triangle's sides are edges");
+        [edge(b, c), edge(c, a), edge(a, b)]
     })
 }
 

@@ -1,7 +1,7 @@
 //! Boundary loops of a surface.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use crate::Topology;
 use crate::topology::corners;
@@ -30,23 +30,30 @@ impl Topology {
 /// The boundary sides of a surface, with the adjacency to walk along them.
 struct Rim<'a> {
     surface: &'a Topology,
-    /// For each directed side, the opposite corner of the triangle to its left.
-    third: HashMap<[u32; 2], u32>,
+    /// For each directed side, the opposite corner of the triangle to its left; see [`Topology::side`].
+    third: Vec<Option<u32>>,
     /// Directed sides that belong to one triangle only and to no loop yet, with the surface on their left.
     open: BTreeSet<[u32; 2]>,
 }
 
 impl<'a> Rim<'a> {
     fn of(surface: &'a Topology) -> Self {
-        let mut uses: HashMap<[u32; 2], usize> = HashMap::new();
-        let mut third = HashMap::new();
+        let mut rim = Self { surface, third: vec![None; surface.side_count()], open: BTreeSet::new() };
+        let mut uses = vec![0_usize; surface.side_count()];
         for [from, to, opposite] in corners(surface.triangles()) {
-            *uses.entry([from.min(to), from.max(to)]).or_default() += 1;
-            third.insert([from, to], opposite);
+            for side in [surface.side(from, to), surface.side(to, from)].into_iter().flatten() {
+                uses[side] += 1;
+            }
+            surface.side(from, to).iter().for_each(|&side| rim.third[side] = Some(opposite));
         }
-        let single = |&[from, to, _]: &[u32; 3]| uses[&[from.min(to), from.max(to)]] == 1;
-        let open = corners(surface.triangles()).filter(single).map(|[from, to, _]| [from, to]).collect();
-        Self { surface, third, open }
+        let single = |&[from, to, _]: &[u32; 3]| surface.side(from, to).is_some_and(|side| uses[side] == 1);
+        rim.open = corners(surface.triangles()).filter(single).map(|[from, to, _]| [from, to]).collect();
+        rim
+    }
+
+    /// The opposite corner of the triangle to the left of a side.
+    fn third(&self, from: u32, to: u32) -> Option<u32> {
+        self.third[self.surface.side(from, to)?]
     }
 
     /// Follows the boundary from a side to its end. Each return to a visited vertex closes a loop.
@@ -73,13 +80,13 @@ impl<'a> Rim<'a> {
     /// The next boundary side. Rotates around the shared vertex through its triangles; if that fails, returns any open
     /// side that leaves the vertex.
     fn after(&self, [from, at]: [u32; 2]) -> Option<[u32; 2]> {
-        let mut opposite = self.third.get(&[from, at]).copied();
+        let mut opposite = self.third(from, at);
         for _ in 0..self.surface.degree(at) {
             let Some(to) = opposite else { break };
             if self.open.contains(&[at, to]) {
                 return Some([at, to]);
             }
-            opposite = self.third.get(&[to, at]).copied();
+            opposite = self.third(to, at);
         }
         self.open.range([at, 0]..=[at, u32::MAX]).next().copied()
     }

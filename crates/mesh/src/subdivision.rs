@@ -1,4 +1,3 @@
-use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::iter::Sum;
 use std::ops::{Add, Mul, Sub};
@@ -42,7 +41,7 @@ impl LoopSubdivision {
     /// boundary does: vertices on one side do not affect the other. Pairs that are not edges of the cage are ignored.
     pub fn creased(cage: &Topology, creases: &[[u32; 2]], levels: u32) -> Self {
         let mut creases: Vec<[u32; 2]> = creases.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
-        creases.retain(|crease| cage.edges().binary_search(crease).is_ok());
+        creases.retain(|&[a, b]| cage.edge(a, b).is_some());
         creases.sort_unstable();
         let stencils = Stencils::identity(cage.vertex_count());
         let mut dense = Self { topology: cage.clone(), creases, stencils, inverse_own: Vec::new() };
@@ -157,10 +156,9 @@ const ROUNDING_SHIFT: f64 = 1.0 / 3.0;
 /// The matrix of one level.
 fn one_level(mesh: &Topology, creases: &[[u32; 2]]) -> Stencils {
     let mut across = corners_across(mesh);
-    creases.iter().for_each(|crease| _ = across.insert(*crease, Vec::new()));
-    let is_crease = |edge: &[u32; 2]| across[edge].len() != 2;
+    creases.iter().filter_map(|&[a, b]| mesh.edge(a, b)).for_each(|edge| across[edge] = Across::default());
     let mut curves = vec![Vec::new(); mesh.vertex_count()];
-    for &[a, b] in mesh.edges().iter().filter(|edge| is_crease(edge)) {
+    for (&[a, b], _) in mesh.edges().iter().zip(&across).filter(|(_, across)| across.count != 2) {
         curves[a as usize].push(b);
         curves[b as usize].push(a);
     }
@@ -168,8 +166,8 @@ fn one_level(mesh: &Topology, creases: &[[u32; 2]]) -> Stencils {
     for vertex in 0..mesh.vertex_count() as u32 {
         level.push(old_vertex(vertex, mesh.neighbours(vertex), &curves[vertex as usize]));
     }
-    for edge in mesh.edges() {
-        level.push(new_vertex(*edge, &across[edge]));
+    for (edge, across) in mesh.edges().iter().zip(&across) {
+        level.push(new_vertex(*edge, across));
     }
     level
 }
@@ -187,9 +185,11 @@ fn old_vertex(vertex: u32, neighbours: &[u32], curve: &[u32]) -> Vec<(u32, f64)>
     }
 }
 
-fn new_vertex([a, b]: [u32; 2], across: &[u32]) -> Vec<(u32, f64)> {
+fn new_vertex([a, b]: [u32; 2], across: &Across) -> Vec<(u32, f64)> {
     match *across {
-        [left, right] => vec![(a, 0.375), (b, 0.375), (left, 0.125), (right, 0.125)],
+        Across { count: 2, corners: [left, right] } => {
+            vec![(a, 0.375), (b, 0.375), (left, 0.125), (right, 0.125)]
+        }
         _ => vec![(a, 0.5), (b, 0.5)],
     }
 }
@@ -200,19 +200,27 @@ fn loop_share(degree: usize) -> f64 {
     (0.625 - (0.375 + 0.25 * (TAU / degree).cos()).powi(2)) / degree
 }
 
-/// For each edge, the opposite corners of its triangles.
-fn corners_across(mesh: &Topology) -> HashMap<[u32; 2], Vec<u32>> {
-    let mut across: HashMap<[u32; 2], Vec<u32>> = HashMap::with_capacity(mesh.edges().len());
+/// The triangles at an edge: their number, and the opposite corners of the first two.
+#[derive(Clone, Copy, Default)]
+struct Across {
+    count: usize,
+    corners: [u32; 2],
+}
+
+fn corners_across(mesh: &Topology) -> Vec<Across> {
+    let mut across = vec![Across::default(); mesh.edges().len()];
     for [from, to, third] in corners(mesh.triangles()) {
-        across.entry([from.min(to), from.max(to)]).or_default().push(third);
+        let Some(edge) = mesh.edge(from, to) else { continue };
+        let Across { count, corners } = &mut across[edge];
+        corners.get_mut(*count).into_iter().for_each(|corner| *corner = third);
+        *count += 1;
     }
     across
 }
 
 /// The new vertex on an edge.
 fn middle(mesh: &Topology, a: u32, b: u32) -> u32 {
-    let edge = mesh.edges().binary_search(&[a.min(b), a.max(b)]);
-    (mesh.vertex_count() + edge.expect("invariant: only edges are split")) as u32
+    (mesh.vertex_count() + mesh.edge(a, b).expect("invariant: only edges are split")) as u32
 }
 
 fn split_edges(mesh: &Topology, edges: &[[u32; 2]]) -> Vec<[u32; 2]> {

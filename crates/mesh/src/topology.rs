@@ -9,6 +9,8 @@ pub struct Topology {
     vertex_count: usize,
     triangles: Vec<[u32; 3]>,
     edges: Vec<[u32; 2]>,
+    /// For each vertex, the first edge whose lower vertex it is.
+    edge_starts: Vec<usize>,
     neighbour_starts: Vec<usize>,
     neighbours: Vec<u32>,
 }
@@ -22,9 +24,9 @@ impl Topology {
         for (index, corners) in triangles.iter().enumerate() {
             check_triangle(index, *corners, vertex_count)?;
         }
-        let edges = undirected_edges(&triangles);
+        let (edge_starts, edges) = undirected_edges(vertex_count, &triangles);
         let (neighbour_starts, neighbours) = one_rings(vertex_count, &edges);
-        Ok(Self { vertex_count, triangles, edges, neighbour_starts, neighbours })
+        Ok(Self { vertex_count, triangles, edges, edge_starts, neighbour_starts, neighbours })
     }
 
     /// Number of vertices, including those without triangles.
@@ -42,6 +44,13 @@ impl Topology {
         &self.edges
     }
 
+    /// The place of an undirected edge in [`Self::edges`]; `None` if the vertices share no edge.
+    pub fn edge(&self, a: u32, b: u32) -> Option<usize> {
+        let low = a.min(b) as usize;
+        let (from, to) = (*self.edge_starts.get(low)?, *self.edge_starts.get(low + 1)?);
+        Some(from + self.edges[from..to].binary_search(&[a.min(b), a.max(b)]).ok()?)
+    }
+
     /// The neighbours of `vertex`, sorted.
     ///
     /// # Panics
@@ -49,6 +58,17 @@ impl Topology {
     pub fn neighbours(&self, vertex: u32) -> &[u32] {
         let vertex = vertex as usize;
         &self.neighbours[self.neighbour_starts[vertex]..self.neighbour_starts[vertex + 1]]
+    }
+
+    /// Number of directed sides: two per edge.
+    pub(crate) fn side_count(&self) -> usize {
+        self.neighbours.len()
+    }
+
+    /// The number of a directed side, below [`Self::side_count`]; `None` if the vertices share no edge.
+    pub(crate) fn side(&self, from: u32, to: u32) -> Option<usize> {
+        let place = self.neighbours(from).binary_search(&to).ok()?;
+        Some(self.neighbour_starts[from as usize] + place)
     }
 
     /// Number of neighbours of `vertex`.
@@ -100,24 +120,42 @@ pub(crate) fn corners(triangles: &[[u32; 3]]) -> impl Iterator<Item = [u32; 3]> 
     triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]])
 }
 
-fn undirected_edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let mut edges: Vec<[u32; 2]> = corners(triangles).map(|[a, b, _]| [a.min(b), a.max(b)]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
+/// Grouped by their lower vertex first, which is faster than a sort of all.
+fn undirected_edges(vertex_count: usize, triangles: &[[u32; 3]]) -> (Vec<usize>, Vec<[u32; 2]>) {
+    let sides = || corners(triangles).map(|[a, b, _]| [a.min(b), a.max(b)]);
+    let (side_starts, mut higher) = grouped(vertex_count, sides);
+    let (mut starts, mut edges) = (vec![0], Vec::with_capacity(higher.len() / 2 + 1));
+    for (low, bounds) in side_starts.windows(2).enumerate() {
+        let group = &mut higher[bounds[0]..bounds[1]];
+        group.sort_unstable();
+        edges.extend(group.chunk_by(|one, other| one == other).map(|same| [low as u32, same[0]]));
+        starts.push(edges.len());
+    }
+    (starts, edges)
 }
 
+/// The neighbours of each vertex: the lower ones, then the higher ones. Both are sorted, as the edges are.
 fn one_rings(vertex_count: usize, edges: &[[u32; 2]]) -> (Vec<usize>, Vec<u32>) {
-    let mut directed: Vec<[u32; 2]> = edges.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).collect();
-    directed.sort_unstable();
+    let lower = || edges.iter().map(|&[a, b]| [b, a]);
+    grouped(vertex_count, || lower().chain(edges.iter().copied()))
+}
+
+/// The second vertices of pairs, grouped by the first, in their order. The group of vertex `v` starts at `starts[v]` and
+/// ends at `starts[v + 1]`.
+fn grouped<I: Iterator<Item = [u32; 2]>>(vertex_count: usize, pairs: impl Fn() -> I) -> (Vec<usize>, Vec<u32>) {
     let mut starts = vec![0; vertex_count + 1];
-    for [from, _] in &directed {
-        starts[*from as usize + 1] += 1;
+    for [first, _] in pairs() {
+        starts[first as usize + 1] += 1;
     }
     for vertex in 0..vertex_count {
         starts[vertex + 1] += starts[vertex];
     }
-    (starts, directed.into_iter().map(|[_, to]| to).collect())
+    let (mut next, mut seconds) = (starts.clone(), vec![0; starts[vertex_count]]);
+    for [first, second] in pairs() {
+        seconds[next[first as usize]] = second;
+        next[first as usize] += 1;
+    }
+    (starts, seconds)
 }
 
 #[cfg(test)]

@@ -90,7 +90,8 @@ impl Studio {
         pictures.iter().try_for_each(|key| self.pictures.require(key))?;
         let changed = self.session.apply(Intent::Open(Box::new(saved))).map_err(FacadeError::from)?;
         self.pictures.open(pictures);
-        self.show_soon(changed);
+        // In another task, as both parts take long.
+        self.show_later();
         Ok(sent(&changed)?)
     }
 

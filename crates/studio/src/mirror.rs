@@ -25,7 +25,7 @@ impl MirrorTable {
     pub(crate) fn subdivided(&self, coarse: &Topology) -> Option<Self> {
         let added = coarse.edges().iter().map(|&[a, b]| {
             let (a, b) = (self.partner(a), self.partner(b));
-            let edge = coarse.edges().binary_search(&[a.min(b), a.max(b)]).ok()?;
+            let edge = coarse.edge(a, b)?;
             Some((coarse.vertex_count() + edge) as u32)
         });
         let added: Vec<u32> = added.collect::<Option<_>>()?;

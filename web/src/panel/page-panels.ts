@@ -34,12 +34,12 @@ function setUpExpert(host: Host) {
     document.documentElement.toggleAttribute("data-expert-on", box.checked);
     setPointNumbersShown(box.checked);
     host.apply({ expert: box.checked });
-    notifyLocaleChange();
   };
   box.checked = remembered("expert") === "on";
   box.addEventListener("change", () => {
     remember("expert", box.checked ? "on" : "off");
     apply();
+    notifyLocaleChange();
   });
   apply();
   host.onRestart(async () => apply());

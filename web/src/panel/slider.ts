@@ -1,4 +1,4 @@
-import { isWord, t } from "../words/words.ts";
+import { formatTyped, isWord, t } from "../words/words.ts";
 import type { Control, Widget } from "../../wasm/rosto-studio-web.js";
 import { make } from "../page/dom.ts";
 import { domId, labelOf, type Send, type View } from "./widget.ts";
@@ -51,9 +51,7 @@ export function makeSlider(id: string, { range: limits, unit, axis }: Slider, se
   const endTyping = () => {
     delete field.dataset["typing"];
     mark(false);
-    // Without grouping, so that the text can be edited.
-    const format = { maximumFractionDigits: decimals, useGrouping: false };
-    field.value = new Intl.NumberFormat(document.documentElement.lang, format).format(rounded(value));
+    field.value = formatTyped(rounded(value), decimals);
   };
 
   element.id = domId(id);

@@ -101,11 +101,25 @@ export function translatePage() {
   }
 }
 
-/** Formats a number in the current language. */
+/** Formats a number in the current language. Avoids "-0". */
 export function formatNumber(value: number, decimals: number) {
-  // Avoids "-0".
-  const signDisplay = "negative";
-  return value.toLocaleString(tag(), { minimumFractionDigits: decimals, maximumFractionDigits: decimals, signDisplay });
+  const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
+  return formatOf({ ...digits, signDisplay: "negative" }).format(value);
+}
+
+/** Formats a number for a text field: without trailing zeros and grouping. */
+export function formatTyped(value: number, decimals: number) {
+  return formatOf({ maximumFractionDigits: decimals, useGrouping: false }).format(value);
+}
+
+/** Kept, because a format takes longer to make than hundreds of numbers to format. */
+const formats = new Map<string, Intl.NumberFormat>();
+
+function formatOf(options: Intl.NumberFormatOptions) {
+  const key = tag() + JSON.stringify(options);
+  const format = formats.get(key) ?? new Intl.NumberFormat(tag(), options);
+  formats.set(key, format);
+  return format;
 }
 
 /** BCP 47 tag of the current language. */
