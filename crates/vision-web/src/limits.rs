@@ -1,16 +1,25 @@
 use js_sys::Error;
-use rosto_photo::Limits;
+use rosto::{FileKind, Limits, sniff};
 use wasm_bindgen::prelude::*;
 
 use crate::error;
 
-/// Checks a photo's file size in bytes before it is read.
+/// Largest GLB or project, in bytes. Rosto's are far smaller.
+const MAX_SAVED_BYTES: usize = 400_000_000;
+
+/// Checks the length of a file, in bytes, before it is read. Returns whether it is a GLB or project.
+///
+/// `start`: the first 4096 bytes of the file.
 ///
 /// # Errors
 /// Throws `too-many-bytes`.
-#[wasm_bindgen(js_name = checkLength)]
-pub fn check_length(bytes: f64) -> Result<(), Error> {
-    Limits::default().check_length(bytes as u64).map_err(error::of_photo)
+#[wasm_bindgen(js_name = checkFile)]
+pub fn check_file(start: &[u8], bytes: f64) -> Result<bool, Error> {
+    let is_saved = sniff(start) != FileKind::Other;
+    let limits = Limits::default();
+    let max_bytes = if is_saved { MAX_SAVED_BYTES } else { limits.max_bytes };
+    Limits { max_bytes, ..limits }.check_length(bytes as u64).map_err(error::of_photo)?;
+    Ok(is_saved)
 }
 
 /// Checks a photo's size in px.

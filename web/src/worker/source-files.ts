@@ -1,17 +1,13 @@
 /** Reads photos and saved files for the module. */
 
-import { checkLength, checkSize } from "../../wasm/rosto-vision-web.js";
+import { checkFile, checkSize } from "../../wasm/rosto-vision-web.js";
 import { asPageError } from "../page/page-error.ts";
 import { filesWith } from "../work/face.ts";
 import type { Vision } from "../../wasm/rosto-vision-web.js";
 import type { SourceFile } from "../work/face.ts";
 
-/** Rosto's projects and GLBs are far smaller; larger files are not read into memory. */
-const MAX_SAVED_BYTES = 400_000_000;
-
-/** Starts of a GLB and of a project. No photo starts like this. */
-const SAVED = /^(glTF|\s*\{)/;
-const START_BYTES = 16;
+/** Length of the part that shows whether a file is a GLB or project. */
+const START_BYTES = 4096;
 
 type Decode<T> = (bytes: Uint8Array, original?: Uint8Array) => T;
 
@@ -26,9 +22,7 @@ export async function bytesOf(file: Blob) {
 
 /** Reads a file, if it is not too large. */
 export async function readFile(file: Blob) {
-  const isSaved = SAVED.test(new TextDecoder().decode(await bytesOf(file.slice(0, START_BYTES))));
-  if (!isSaved) checkLength(file.size);
-  else if (file.size > MAX_SAVED_BYTES) throw { code: "too-many-bytes", message: `${file.size} bytes`, hint: "" };
+  const isSaved = checkFile(await bytesOf(file.slice(0, START_BYTES)), file.size);
   return { bytes: await bytesOf(file), isSaved };
 }
 
