@@ -35,9 +35,10 @@ test("a project of 20 000 edits opens, and edits and undo stay fast", { tag: "@r
   assert.equal((await page.innerText("#history-earlier")).replaceAll(/\D/g, ""), "19900");
 });
 
-test("a huge offset is clamped to the slider's range", { tag: "@rare" }, async ({ editor, page }) => {
+test("a huge offset is refused", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
-  for (const [typed, taken] of /** @type {const} */ ([["1e308", 40], ["-1e308", -40], ["1e309", 40]])) {
+  const found = await editor.meshJson("mm");
+  for (const typed of ["1e308", "-1e308", "1e309", "9".repeat(400)]) {
     const field = page.locator("#landmark-offset [data-axis='z'] .number-field");
     await field.evaluate((input, typed) => {
       input.value = typed;
@@ -45,31 +46,31 @@ test("a huge offset is clamped to the slider's range", { tag: "@rare" }, async (
       input.dispatchEvent(new Event("change"));
     }, typed);
     await editor.frames(3);
-    const value = Number(await field.inputValue());
-    // The browser treats a number out of range as no input.
-    assert.ok(value === taken || (typed === "1e309" && value === 0), `${typed}: ${value}`);
-    const { positions } = await editor.meshJson("mm");
-    assert.ok(positions.flat().every((place) => Number.isFinite(place) && Math.abs(place) < 1_000));
+    assert.equal(await field.inputValue(), "0", typed);
+    assert.deepEqual(await editor.meshJson("mm"), found);
     assert.doesNotMatch(await page.locator("body").innerText(), /∞|NaN|e\+/);
   }
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("an error in one panel does not affect the others", { tag: "@rare" }, async ({ editor, page }) => {
-  // The landmark panel updates before the history.
-  await page.evaluate(() => document.getElementById("landmark-anchors").remove());
-  await editor.setSlider("nose-width", 4);
-  assert.deepEqual(await editor.history(), ["Nose width"]);
-  await editor.setSlider("nose-width", 0);
+test("an error in one listener does not affect the others", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
+  await page.evaluate(() => {
+    const fail = () => { throw new Error("broken"); };
+    Object.defineProperty(document.getElementById("landmark-tag"), "value", { get: fail, set: fail });
+  });
+  await editor.setOffset("y", 4);
+  assert.deepEqual(await editor.history(), ["nose tip"]);
+  await editor.setOffset("y", 6);
   assert.equal((await editor.history()).length, 2);
   await page.click("#toolbar [data-action='undo']");
   await editor.frames(3);
   assert.equal((await editor.history()).length, 1);
-  assert.equal(await editor.sliderValue("nose-width"), 4);
+  const edited = await editor.meshJson("mm");
   // The error is reported.
   assert.equal((await editor.notice()).code, "other");
   await editor.reloadAndResume();
-  assert.equal(await editor.sliderValue("nose-width"), 4);
+  assert.deepEqual(await editor.meshJson("mm"), edited);
 });
 
 /** Measures a step with the long project. @param {string} what @param {() => Promise<unknown>} act */
