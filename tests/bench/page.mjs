@@ -177,7 +177,7 @@ function videoRecords(peer, all) {
 
 /** The page's start, a photo, and slider ticks from the input event to the end of the last listener. */
 export async function editing() {
-  await until(() => document.querySelector("#language option"));
+  await until(() => document.body?.dataset.host === "open");
   const record = (what, size, value) => ({ task: "page in Chrome", what, size, peer: ROSTO, unit: "ms", value });
   const records = [record("navigation to a usable page", null, performance.now())];
   const transfer = new DataTransfer();
