@@ -64,6 +64,14 @@ test("the photo keeps its light unless the lamp is enabled; sphere and colour co
   const fields = await page.locator("#light-lamp .number-field").all();
   const [azimuth, elevation] = await Promise.all(fields.map(async (field) => Number(await field.inputValue())));
   assert.ok(azimuth > 60 && Math.abs(elevation) < 5, `the light is at ${azimuth}°, ${elevation}°`);
+  const sun_px = async () => Number(await page.getAttribute("#light-sun", "cx"));
+  assert.ok(await sun_px() > 34);
+  await fields[0].fill("-60");
+  await fields[0].press("Enter");
+  assert.ok(await sun_px() < -34);
+  await fields[0].fill(String(azimuth));
+  await fields[0].press("Enter");
+  assert.ok(await sun_px() > 34);
   const fromTheRight = await editor.view();
   assert.ok(difference(first, fromTheRight) > 0.05);
   await page.fill("#light-colour", "#ff4000");

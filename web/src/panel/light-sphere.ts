@@ -1,4 +1,5 @@
 import type { Host } from "../viewport/host.ts";
+import type { State } from "../../wasm/rosto-studio-web.js";
 
 /** Radius of the sphere, and width of its SVG, in units of the SVG. */
 const SPHERE = 40;
@@ -24,10 +25,13 @@ export function setUpLightSphere(host: Host) {
   });
   sphere.addEventListener("pointermove", (event) => sphere.hasPointerCapture(event.pointerId) && drag(event));
   const sun = sphere.querySelector("#light-sun");
-  host.on("panel", () => host.read(({ light }) => {
+  const show = ({ light }: State) => {
     const [azimuth, elevation] = [light.azimuthDeg / RADIAN_DEG, light.elevationDeg / RADIAN_DEG];
     sun?.setAttribute("cx", String(SPHERE * Math.sin(azimuth) * Math.cos(elevation)));
     sun?.setAttribute("cy", String(-SPHERE * Math.sin(elevation)));
     sun?.toggleAttribute("data-behind", Math.cos(azimuth) < 0);
-  }));
+  };
+  host.on("change", show);
+  // The light is not part of the document.
+  host.on("panel", (widgets) => widgets.some(({ id }) => id.startsWith("light")) && host.read(show));
 }
