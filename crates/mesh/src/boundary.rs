@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 use crate::Topology;
-use crate::topology::corners;
+use crate::topology::{corners, edge};
 
 impl Topology {
     /// The boundary loops, each a cycle of vertices with the surface on its left; longest first, then by lowest vertex.
@@ -30,30 +30,29 @@ impl Topology {
 /// The boundary sides of a surface, with the adjacency to walk along them.
 struct Rim<'a> {
     surface: &'a Topology,
-    /// For each directed side, the opposite corner of the triangle to its left; see [`Topology::side`].
-    third: Vec<Option<u32>>,
+    /// For each edge and each of its directions, the opposite corner of the triangle to the left.
+    third: Vec<[Option<u32>; 2]>,
     /// Directed sides that belong to one triangle only and to no loop yet, with the surface on their left.
     open: BTreeSet<[u32; 2]>,
 }
 
 impl<'a> Rim<'a> {
     fn of(surface: &'a Topology) -> Self {
-        let mut rim = Self { surface, third: vec![None; surface.side_count()], open: BTreeSet::new() };
-        let mut uses = vec![0_usize; surface.side_count()];
+        let mut third = vec![[None; 2]; surface.edges().len()];
+        let mut uses = vec![0_usize; third.len()];
         for [from, to, opposite] in corners(surface.triangles()) {
-            for side in [surface.side(from, to), surface.side(to, from)].into_iter().flatten() {
-                uses[side] += 1;
-            }
-            surface.side(from, to).iter().for_each(|&side| rim.third[side] = Some(opposite));
+            let edge = edge(surface, from, to);
+            third[edge][usize::from(from > to)] = Some(opposite);
+            uses[edge] += 1;
         }
-        let single = |&[from, to, _]: &[u32; 3]| surface.side(from, to).is_some_and(|side| uses[side] == 1);
-        rim.open = corners(surface.triangles()).filter(single).map(|[from, to, _]| [from, to]).collect();
-        rim
+        let single = |&[from, to, _]: &[u32; 3]| uses[edge(surface, from, to)] == 1;
+        let open = corners(surface.triangles()).filter(single).map(|[from, to, _]| [from, to]).collect();
+        Self { surface, third, open }
     }
 
     /// The opposite corner of the triangle to the left of a side.
     fn third(&self, from: u32, to: u32) -> Option<u32> {
-        self.third[self.surface.side(from, to)?]
+        self.third[edge(self.surface, from, to)][usize::from(from > to)]
     }
 
     /// Follows the boundary from a side to its end. Each return to a visited vertex closes a loop.

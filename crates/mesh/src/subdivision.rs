@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::Topology;
 use crate::stencils::Stencils;
-use crate::topology::corners;
+use crate::topology::{corners, edge};
 
 /// Loop subdivision of a cage, as a sparse matrix from values on the cage to values on the dense mesh.
 ///
@@ -156,9 +156,9 @@ const ROUNDING_SHIFT: f64 = 1.0 / 3.0;
 /// The matrix of one level.
 fn one_level(mesh: &Topology, creases: &[[u32; 2]]) -> Stencils {
     let mut across = corners_across(mesh);
-    creases.iter().filter_map(|&[a, b]| mesh.edge(a, b)).for_each(|edge| across[edge] = Across::default());
+    creases.iter().filter_map(|&[a, b]| mesh.edge(a, b)).for_each(|edge| across[edge].clear());
     let mut curves = vec![Vec::new(); mesh.vertex_count()];
-    for (&[a, b], _) in mesh.edges().iter().zip(&across).filter(|(_, across)| across.count != 2) {
+    for (&[a, b], _) in mesh.edges().iter().zip(&across).filter(|(_, across)| across.len() != 2) {
         curves[a as usize].push(b);
         curves[b as usize].push(a);
     }
@@ -185,11 +185,9 @@ fn old_vertex(vertex: u32, neighbours: &[u32], curve: &[u32]) -> Vec<(u32, f64)>
     }
 }
 
-fn new_vertex([a, b]: [u32; 2], across: &Across) -> Vec<(u32, f64)> {
+fn new_vertex([a, b]: [u32; 2], across: &[u32]) -> Vec<(u32, f64)> {
     match *across {
-        Across { count: 2, corners: [left, right] } => {
-            vec![(a, 0.375), (b, 0.375), (left, 0.125), (right, 0.125)]
-        }
+        [left, right] => vec![(a, 0.375), (b, 0.375), (left, 0.125), (right, 0.125)],
         _ => vec![(a, 0.5), (b, 0.5)],
     }
 }
@@ -200,27 +198,18 @@ fn loop_share(degree: usize) -> f64 {
     (0.625 - (0.375 + 0.25 * (TAU / degree).cos()).powi(2)) / degree
 }
 
-/// The triangles at an edge: their number, and the opposite corners of the first two.
-#[derive(Clone, Copy, Default)]
-struct Across {
-    count: usize,
-    corners: [u32; 2],
-}
-
-fn corners_across(mesh: &Topology) -> Vec<Across> {
-    let mut across = vec![Across::default(); mesh.edges().len()];
+/// For each edge, the opposite corners of its triangles.
+fn corners_across(mesh: &Topology) -> Vec<Vec<u32>> {
+    let mut across = vec![Vec::new(); mesh.edges().len()];
     for [from, to, third] in corners(mesh.triangles()) {
-        let Some(edge) = mesh.edge(from, to) else { continue };
-        let Across { count, corners } = &mut across[edge];
-        corners.get_mut(*count).into_iter().for_each(|corner| *corner = third);
-        *count += 1;
+        across[edge(mesh, from, to)].push(third);
     }
     across
 }
 
 /// The new vertex on an edge.
 fn middle(mesh: &Topology, a: u32, b: u32) -> u32 {
-    (mesh.vertex_count() + mesh.edge(a, b).expect("invariant: only edges are split")) as u32
+    (mesh.vertex_count() + edge(mesh, a, b)) as u32
 }
 
 fn split_edges(mesh: &Topology, edges: &[[u32; 2]]) -> Vec<[u32; 2]> {

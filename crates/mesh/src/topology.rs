@@ -44,7 +44,7 @@ impl Topology {
         &self.edges
     }
 
-    /// The place of an undirected edge in [`Self::edges`]; `None` if the vertices share no edge.
+    /// Index of an undirected edge in [`Self::edges`]; `None` if the vertices share no edge.
     pub fn edge(&self, a: u32, b: u32) -> Option<usize> {
         let low = a.min(b) as usize;
         let (from, to) = (*self.edge_starts.get(low)?, *self.edge_starts.get(low + 1)?);
@@ -58,17 +58,6 @@ impl Topology {
     pub fn neighbours(&self, vertex: u32) -> &[u32] {
         let vertex = vertex as usize;
         &self.neighbours[self.neighbour_starts[vertex]..self.neighbour_starts[vertex + 1]]
-    }
-
-    /// Number of directed sides: two per edge.
-    pub(crate) fn side_count(&self) -> usize {
-        self.neighbours.len()
-    }
-
-    /// The number of a directed side, below [`Self::side_count`]; `None` if the vertices share no edge.
-    pub(crate) fn side(&self, from: u32, to: u32) -> Option<usize> {
-        let place = self.neighbours(from).binary_search(&to).ok()?;
-        Some(self.neighbour_starts[from as usize] + place)
     }
 
     /// Number of neighbours of `vertex`.
@@ -120,7 +109,13 @@ pub(crate) fn corners(triangles: &[[u32; 3]]) -> impl Iterator<Item = [u32; 3]> 
     triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]])
 }
 
-/// Grouped by their lower vertex first, which is faster than a sort of all.
+/// Index of the edge between two corners of a triangle.
+pub(crate) fn edge(mesh: &Topology, a: u32, b: u32) -> usize {
+    mesh.edge(a, b).expect("invariant: a triangle's sides are edges")
+}
+
+/// The first edge of each lower vertex, and all edges in order. Sorts the edges of each vertex, which is faster than
+/// sorting all at once.
 fn undirected_edges(vertex_count: usize, triangles: &[[u32; 3]]) -> (Vec<usize>, Vec<[u32; 2]>) {
     let sides = || corners(triangles).map(|[a, b, _]| [a.min(b), a.max(b)]);
     let (side_starts, mut higher) = grouped(vertex_count, sides);
