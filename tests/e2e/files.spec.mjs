@@ -4,8 +4,8 @@ import { test } from "./fixtures.mjs";
 import { heic, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-/** Maximum size of a photo. */
-const MAX_PHOTO_BYTES = 40_000_000;
+/** Maximum sizes of a photo, and of a GLB or project. */
+const [MAX_PHOTO_BYTES, MAX_SAVED_BYTES] = [40_000_000, 400_000_000];
 
 test("the first valid file of several is opened, and a notice says so", async ({ visitor, page }) => {
   await visitor.untilInteractive();
@@ -109,14 +109,16 @@ test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
 
 test("a file of gigabytes is reported as too large, at the worker's limit", async ({ visitor, page }, testInfo) => {
   await visitor.untilInteractive();
-  for (const [bytes, code] of /** @type {const} */ ([
-    [3 * 2 ** 30, "too-many-bytes"],
-    [MAX_PHOTO_BYTES, "not-a-picture"],
-    [MAX_PHOTO_BYTES + 1, "too-many-bytes"],
+  for (const [bytes, code, start] of /** @type {const} */ ([
+    [3 * 2 ** 30, "too-many-bytes", ""],
+    [MAX_PHOTO_BYTES, "not-a-picture", ""],
+    [MAX_PHOTO_BYTES + 1, "too-many-bytes", ""],
+    [MAX_PHOTO_BYTES + 1, "damaged-glb", "glTF"],
+    [MAX_SAVED_BYTES + 1, "too-many-bytes", "glTF"],
   ])) {
-    const name = testInfo.outputPath(`${bytes}.jpg`);
+    const name = testInfo.outputPath(`${start}${bytes}.jpg`);
     // A sparse file needs no disk space.
-    await writeFile(name, "");
+    await writeFile(name, start);
     await truncate(name, bytes);
     await page.setInputFiles("#photo-file", name);
     await page.waitForSelector(`#notice[data-code='${code}']`);

@@ -15,7 +15,7 @@ mod progress;
 mod vision;
 
 pub use file_options::FileOptions;
-pub use limits::{check_file, check_size};
+pub use limits::{check_file, check_size, sniffed_bytes};
 pub use messages::{FaceRequest, OpenedFace, OpenedFile, OpenedKind, RawPicture, SolidFacts, WrittenFile};
 pub use paper::{PaperClaims, PaperMethod, PaperResults, PaperRow, PaperRun};
 pub use vision::Vision;

@@ -1,5 +1,5 @@
 use js_sys::Error;
-use rosto::{FileKind, Limits, sniff};
+use rosto::{FileKind, Limits, SNIFFED_BYTES, sniff};
 use wasm_bindgen::prelude::*;
 
 use crate::error;
@@ -9,7 +9,7 @@ const MAX_SAVED_BYTES: usize = 400_000_000;
 
 /// Checks the length of a file, in bytes, before it is read. Returns whether it is a GLB or project.
 ///
-/// `start`: the first 4096 bytes of the file.
+/// `start`: the first bytes of the file, as many as `sniffedBytes` returns.
 ///
 /// # Errors
 /// Throws `too-many-bytes`.
@@ -20,6 +20,12 @@ pub fn check_file(start: &[u8], bytes: f64) -> Result<bool, Error> {
     let max_bytes = if is_saved { MAX_SAVED_BYTES } else { limits.max_bytes };
     Limits { max_bytes, ..limits }.check_length(bytes as u64).map_err(error::of_photo)?;
     Ok(is_saved)
+}
+
+/// Number of bytes from which [`check_file`] detects the kind of a file.
+#[wasm_bindgen(js_name = sniffedBytes)]
+pub fn sniffed_bytes() -> usize {
+    SNIFFED_BYTES
 }
 
 /// Checks a photo's size in px.

@@ -1,13 +1,10 @@
 /** Reads photos and saved files for the module. */
 
-import { checkFile, checkSize } from "../../wasm/rosto-vision-web.js";
+import { checkFile, checkSize, sniffedBytes } from "../../wasm/rosto-vision-web.js";
 import { asPageError } from "../page/page-error.ts";
 import { filesWith } from "../work/face.ts";
 import type { Vision } from "../../wasm/rosto-vision-web.js";
 import type { SourceFile } from "../work/face.ts";
-
-/** Length of the part that shows whether a file is a GLB or project. */
-const START_BYTES = 4096;
 
 type Decode<T> = (bytes: Uint8Array, original?: Uint8Array) => T;
 
@@ -22,7 +19,7 @@ export async function bytesOf(file: Blob) {
 
 /** Reads a file, if it is not too large. */
 export async function readFile(file: Blob) {
-  const isSaved = checkFile(await bytesOf(file.slice(0, START_BYTES)), file.size);
+  const isSaved = checkFile(await bytesOf(file.slice(0, sniffedBytes())), file.size);
   return { bytes: await bytesOf(file), isSaved };
 }
 
