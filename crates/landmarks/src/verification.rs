@@ -28,7 +28,8 @@ pub(crate) struct Verifier<'a> {
 const MAX_PASSES: usize = 4;
 /// Change between passes, relative to the distance between the eyes, below which they have converged.
 const CONVERGED_CHANGE: f32 = 0.03;
-/// Presence below which two passes are not continued; one of the first two on a face reaches more than 0.999.
+/// Presence below which two passes are not continued. In the scenes of docs/accuracy.md, one of the first two passes on
+/// a face reaches 0.999.
 const HOPELESS_PRESENCE: f32 = 0.5;
 /// Maximum number of starting detections per proposal.
 const MAX_STARTS: usize = 3;

@@ -45,6 +45,7 @@ let connection: Promise<IDBPDatabase<Schema>> | undefined;
  * rolled back, for example on a full disk. Another tab can block the database indefinitely, so there is a limit.
  *
  * @param act may await requests to these stores only
+ * @param limit_ms from the request to the commit
  */
 export async function transact<T, Mode extends IDBTransactionMode>(
   mode: Mode,
