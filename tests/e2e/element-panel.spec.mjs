@@ -24,7 +24,7 @@ test("with the attribute panel, the element shows the page's shape panel, and ea
   assert.ok(await page.isEnabled("[data-of=host]"), "a button of the host page is disabled");
 
   await visitor.act((face) => face.setAttribute("lang", "pt"));
-  await expect(panel("one").locator("#section-face summary")).toHaveText("Proporções");
+  await expect(panel("one").locator("#shape legend")).toHaveText("Parte do rosto");
   await visitor.act((face) => face.removeAttribute("panel"));
   await expect(panel("one")).toBeHidden();
 });

@@ -1,22 +1,22 @@
 import assert from "node:assert/strict";
+import { expect } from "@playwright/test";
 import { PNG } from "pngjs";
 import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-test("hints stay until followed, a dot marks the point to drag, and returning users see neither", { tag: "@rare" }, async ({ visitor, page }) => {
+test("hints invite to turn and to drag, until the first edit", { tag: "@rare" }, async ({ visitor, page }) => {
   const hint = async () => ((await page.isVisible("#hint")) ? page.textContent("#hint") : "");
   await visitor.dropSample();
-  assert.equal(await hint(), "Drag the nose");
-  const [dot, tip] = [await page.locator("#pulse").boundingBox(), await visitor.landmarkPosition(1)];
-  const off_px = Math.hypot(dot.x + dot.width / 2 - tip.x, dot.y + dot.height / 2 - tip.y);
-  assert.ok(off_px < 2, `the dot is ${off_px} px from the nose`);
+  assert.equal(await hint(), "Drag next to the face to turn it");
   const beside = await visitor.emptyPoint();
   await page.mouse.click(beside.x, beside.y);
-  assert.equal(await hint(), "Drag the nose", "a click does not complete the hint");
-  await visitor.drag(tip, { x: 0, y: -20 });
-  assert.ok(await page.isHidden("#pulse"));
-  assert.equal(await hint(), "Drag outside the face to turn it");
+  assert.equal(await hint(), "Drag next to the face to turn it", "a click does not complete the hint");
   await visitor.drag(beside, { x: 30, y: 0 });
+  assert.equal(await hint(), "Drag the nose, or move a slider");
+  await page.click("#tab-export");
+  assert.equal(await hint(), "", "the hint is in the way of the export");
+  await page.click("#tab-shape");
+  await visitor.setSlider("nose-width", 1);
   assert.equal(await hint(), "");
   await visitor.dropSample();
   assert.equal(await hint(), "", "a hint was repeated");
@@ -27,42 +27,21 @@ test("hints stay until followed, a dot marks the point to drag, and returning us
 
 test("on touch devices the hint mentions fingers", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
-  const { page } = visitor;
   await visitor.dropSample();
-  const tip = await visitor.landmarkPosition(1);
-  const touch = await page.context().newCDPSession(page);
-  await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [tip] });
-  for (const up of [10, 20]) await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: tip.x, y: tip.y - up }] });
-  await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-  assert.match(await page.innerText("#hint"), /two fingers/);
+  assert.match(await visitor.page.innerText("#hint"), /two fingers/);
 });
 
-test("a new face swings briefly, except with reduced motion", { tag: "@rare" }, async ({ open }) => {
-  for (const reducedMotion of /** @type {const} */ (["no-preference", "reduce"])) {
-    const visitor = await open({ reducedMotion });
-    const { page } = visitor;
-    await visitor.untilLoaded();
-    await page.evaluate(() => {
-      const places_px = [];
-      globalThis.swing = () => Math.max(...places_px) - Math.min(...places_px);
-      const look = () => {
-        const x_px = Number.parseFloat(document.getElementById("pulse").style.translate);
-        if (Number.isFinite(x_px)) places_px.push(x_px);
-        requestAnimationFrame(look);
-      };
-      requestAnimationFrame(look);
-    });
-    await visitor.dropSample();
-    if (reducedMotion === "no-preference") await page.waitForFunction(() => globalThis.swing() > 15);
-    await page.waitForFunction(() => {
-      const [pulse, view] = ["pulse", "viewport"].map((id) => document.getElementById(id).getBoundingClientRect());
-      return Math.abs(pulse.x + pulse.width / 2 - view.x - view.width / 2) < 12;
-    });
-    await visitor.frames(30);
-    const swing_px = await page.evaluate("swing()");
-    assert.equal(swing_px > 15, reducedMotion === "no-preference", `${reducedMotion}: the nose swings by ${swing_px} px`);
-    await visitor.leave();
-  }
+test("one second after a drag, nothing covers the face", async ({ editor, page }) => {
+  const nose = await editor.landmarkPosition(1);
+  const opacity = () => page.locator("#landmark-tag").evaluate((tag) => Number(getComputedStyle(tag).opacity));
+  await editor.grab(nose, { x: 4, y: -12 });
+  await page.waitForTimeout(1300);
+  assert.equal(await opacity(), 1, "the name disappears during the drag");
+  await page.mouse.up();
+  assert.equal(await opacity(), 1);
+  await expect.poll(opacity, { timeout: 3000 }).toBe(0);
+  await page.mouse.move(nose.x + 1, nose.y);
+  await expect.poll(opacity).toBe(1);
 });
 
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {

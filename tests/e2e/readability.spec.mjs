@@ -42,7 +42,7 @@ for (const [{ width, height }, tag] of variants([{ width: 320, height: 200 }, { 
 
     await visitor.openFace();
     assert.equal(await page.evaluate("scrollY"), 0);
-    for (const control of await page.locator("#toolbar button:enabled:visible, #tab-view, .download").all()) await control.click({ trial: true });
+    for (const control of await page.locator("#toolbar button:enabled:visible, #tab-view, #save-main").all()) await control.click({ trial: true });
     await visitor.setSlider("nose-width", 2);
     await page.click("#panel-foot [data-action='open-credits']");
     await page.keyboard.press("Escape");
@@ -74,8 +74,8 @@ test("with forced colours, the selected segment and tab, slider tracks and the m
   assert.notEqual(await style(segment(":not(:checked)"), "backgroundColor"), highlight);
   assert.equal(await style("[role=tab][aria-selected='true']", "borderBottomColor"), highlight);
   assert.equal(await style("[role=tab][aria-selected='false']", "borderBottomColor"), canvas);
-  assert.equal(await style(".download", "backgroundColor"), highlight);
-  assert.equal(await style(".download", "color"), onHighlight);
+  assert.equal(await style("#save-main", "backgroundColor"), highlight);
+  assert.equal(await style("#save-main", "color"), onHighlight);
 
   const slider = page.locator("#slider-nose-width input[type=range]");
   await slider.scrollIntoViewIfNeeded();

@@ -105,6 +105,59 @@ test("on a phone the bottom sheet leaves most of the face visible, without overl
   }
 });
 
+test("on the photo, a pinch zooms about the fingers, two fingers pan, and a double tap fits", async ({ editor, page }) => {
+  const send = await toucher(page);
+  const nose = () => editor.landmarkPosition(NOSE_TIP);
+  const scene = () => page.getAttribute("body", "data-scene");
+  await page.check("#toolbar input[value='picture']", { force: true });
+  const rest = await nose();
+  const around = (apart) => [{ x: rest.x - apart, y: rest.y }, { x: rest.x + apart, y: rest.y }];
+  const eyes = async () => (await editor.landmarkPosition(263)).x - (await editor.landmarkPosition(33)).x;
+  const before = await eyes();
+  await stroke(send, around(40), around(80));
+  const zoomed = await nose();
+  const larger = (await eyes()) / before;
+  assert.ok(larger > 1.7 && larger < 2.3, `${larger} times as large`);
+  assert.ok(Math.hypot(zoomed.x - rest.x, zoomed.y - rest.y) < 12, `the nose moved to ${zoomed.x}, ${zoomed.y}`);
+  await stroke(send, around(40), shifted(around(40), 30, -20));
+  const panned = await nose();
+  assert.ok(Math.hypot(panned.x - zoomed.x - 30, panned.y - zoomed.y + 20) < 12, `it moved by ${panned.x - zoomed.x}, ${panned.y - zoomed.y}`);
+  assert.equal(await scene(), "picture");
+  const empty = { x: 20, y: rest.y };
+  for (let tap = 0; tap < 2; tap += 1) await stroke(send, [empty], [empty]);
+  const fitted = await nose();
+  assert.ok(Math.hypot(fitted.x - rest.x, fitted.y - rest.y) < 1, `the nose is at ${fitted.x}, ${fitted.y}`);
+  assert.equal(await scene(), "picture");
+});
+
+test("on a phone, targets are at least 44 px large", async ({ editor, page }) => {
+  for (const tab of ["shape", "view", "export"]) {
+    await page.click(`#tab-${tab}`);
+    const small = await page.evaluate(() => {
+      const targets = [...document.querySelectorAll("button, input:not([type=file]), select, summary, a")].filter((one) => one.checkVisibility());
+      // The label of a checkbox or radio is the target.
+      const boxes = targets.map((one) => [one, (one.matches("[type=checkbox], [type=radio], [type=color]") ? one.closest("label") : one)?.getBoundingClientRect()]);
+      const isSmall = ({ width, height }) => width > 1 && (width < 43.5 || height < 43.5);
+      return boxes.filter(([, box]) => box && isSmall(box)).map(([one, { width, height }]) => `${one.id || one.className}: ${width} × ${height}`);
+    });
+    assert.deepEqual(small, [], tab);
+  }
+});
+
+test("the handle makes the sheet taller, by a press and by dragging", async ({ editor, page }) => {
+  const height = async () => (await page.locator("#panel").boundingBox()).height;
+  const before = await height();
+  await page.click("#sheet-handle");
+  assert.ok((await height()) > 0.8 * 844);
+  const handle = await page.locator("#sheet-handle").boundingBox();
+  const send = await toucher(page);
+  const start = [{ x: 195, y: handle.y + 10 }];
+  await stroke(send, start, shifted(start, 0, 300));
+  assert.equal(await height(), before);
+  assert.ok(await page.isVisible("#save-main"), "the main button is out of reach");
+  assert.deepEqual(await editor.history(), []);
+});
+
 /** A function that sends touch events. @param {import("@playwright/test").Page} page */
 async function toucher(page) {
   const session = await page.context().newCDPSession(page);

@@ -175,8 +175,20 @@ export class Visitor {
     const tab = await this.page.locator(`#sections > [data-tab]:is(${selector}, :has(${selector}))`).getAttribute("data-tab");
     const button = this.page.locator(`[data-tab-name="${tab}"]:not([aria-selected="true"])`);
     if (await button.isVisible()) await button.click();
+    await this.#choosePart(selector);
     const folded = this.page.locator(`details:not([open]):is(${selector}, :has(${selector})) > summary`);
     while ((await folded.count()) > 0) await folded.first().click();
+  }
+
+  /** Chooses the part of the face that has an element; in small windows, also expressions and points. @param {string} selector */
+  async #choosePart(selector) {
+    const parts = await this.page.locator("#shape input").evaluateAll((inputs) => inputs.map(({ value }) => value));
+    const holders = { expressions: "#section-expressions", point: "#section-landmark" };
+    for (const part of parts) {
+      const holder = holders[part] ?? `#shape-${part}`;
+      const isThere = await this.page.locator(`${holder}:is(${selector}, :has(${selector}))`).count();
+      if (isThere && !(await this.page.isVisible(holder))) await this.page.check(`#shape input[value="${part}"]`, { force: true });
+    }
   }
 
   /** Shows technical controls and point numbers. */
@@ -186,17 +198,22 @@ export class Visitor {
 
   /** Finds a landmark by name or number. @param {string} text */
   async findLandmark(text) {
-    await this.unfold("section-landmark");
+    await this.selectBy("landmark");
     await this.page.fill("#landmark-search", text);
     await this.page.press("#landmark-search", "Enter");
   }
 
   /** Selects a region. @param {string} region id such as "left-brow" */
   async selectRegion(region) {
-    await this.unfold("section-landmark");
-    await this.page.check("input[name='selection'][value='region']", { force: true });
+    await this.selectBy("region");
     await this.page.selectOption("#region", region);
     await this.frames(3);
+  }
+
+  /** Chooses what a click or a drag selects. @param {"region" | "landmark" | "point"} mode */
+  async selectBy(mode) {
+    await this.unfold("section-landmark");
+    await this.page.check(`input[name='selection'][value='${mode}']`, { force: true });
   }
 
   /** Position of the tagged landmark, in CSS px of the window. */
@@ -331,7 +348,7 @@ export class Visitor {
    * @param {number} amount_mm
    */
   async setSlider(slider, amount_mm) {
-    await this.unfold("section-face");
+    await this.unfold(`slider-${slider}`);
     await this.#enter(`#slider-${slider}`, amount_mm);
   }
 
@@ -389,13 +406,18 @@ export class Visitor {
 
   /** Bytes and name of the file that a button saves. @param {string} action */
   async save(action) {
-    await this.unfold("section-export");
-    if (await this.page.locator(`#sections [data-action="${action}"]`).count()) await this.reveal(`[data-action="${action}"]`);
+    if (await this.page.locator(`#save-popover [data-action="${action}"]`).count()) await this.openSaveMenu();
+    else await this.reveal(`[data-action="${action}"]`);
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
       this.page.click(`#panel [data-action="${action}"]`),
     ]);
     return { bytes: await readFile(await download.path()), name: download.suggestedFilename() };
+  }
+
+  /** Opens the menu of everything that can be saved. */
+  async openSaveMenu() {
+    if (!(await this.page.isVisible("#save-popover"))) await this.page.click("#save-more");
   }
 
   /** Pixels of the 3D view once it is still, without the elements over it. */

@@ -27,11 +27,37 @@ pub(crate) struct Drag {
     committed_mm: DVec3,
     pointer_px: DVec2,
     moved_px: DVec2,
+    /// Movement in mm beyond which the drag meets resistance; none for experts.
+    limit_mm: Option<f64>,
 }
 
 impl Drag {
     pub fn new(start_m: DVec3, committed_mm: DVec3, pointer_px: DVec2) -> Self {
-        Self { start_m, committed_mm, pointer_px, moved_px: DVec2::ZERO }
+        Self { start_m, committed_mm, pointer_px, moved_px: DVec2::ZERO, limit_mm: None }
+    }
+
+    /// Sets the movement in mm beyond which the drag meets resistance.
+    pub fn limited(self, limit_mm: Option<f64>) -> Self {
+        Self { limit_mm, ..self }
+    }
+
+    /// Resists an offset in mm beyond the limit: it approaches 1.5 limits. An offset of earlier edits is not resisted. A
+    /// fine drag lifts the limit, and continues from where the resistance has held it.
+    pub fn resisted(&mut self, offset_mm: DVec3, pace: Pace) -> DVec3 {
+        let Some(limit_mm) = self.limit_mm else { return offset_mm };
+        let (moved_mm, free_mm) = (self.committed_mm + offset_mm, limit_mm.max(self.committed_mm.length()));
+        let beyond_mm = moved_mm.length() - free_mm;
+        if beyond_mm <= 0.0 {
+            return offset_mm;
+        }
+        let room_mm = 0.5 * limit_mm;
+        let reached_mm = free_mm + room_mm * (1.0 - (-beyond_mm / room_mm).exp());
+        let resisted_mm = moved_mm * (reached_mm / moved_mm.length()) - self.committed_mm;
+        if pace == Pace::Fine {
+            self.limit_mm = None;
+            self.moved_px *= resisted_mm.length() / offset_mm.length().max(f64::MIN_POSITIVE);
+        }
+        resisted_mm
     }
 
     /// Clamps an offset in mm to the sliders' range; the flag reports whether it was clamped. An offset that already
@@ -129,6 +155,37 @@ mod tests {
         let further = DVec3::new(60.0, 0.0, 0.0);
         assert_eq!(at(further).within_sliders(far), (DVec3::new(0.0, -30.0, 0.0), true));
         assert_eq!(at(further).within_sliders(-far), (-far, false));
+    }
+
+    #[test]
+    fn a_drag_meets_resistance_beyond_its_limit() {
+        let mut drag = Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::ZERO).limited(Some(8.0));
+        let mut at = |mm: f64| drag.resisted(DVec3::new(0.0, -mm, 0.0), Pace::Usual).length();
+        assert_eq!((at(3.0), at(8.0)), (3.0, 8.0));
+        let mut before_mm = 8.0;
+        for mm in [9.0, 12.0, 20.0, 50.0] {
+            let reached_mm = at(mm);
+            assert!(reached_mm > before_mm && reached_mm < 12.0, "{mm}: {reached_mm}");
+            before_mm = reached_mm;
+        }
+        let mut expert = Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::ZERO);
+        assert_eq!(expert.resisted(DVec3::X * 50.0, Pace::Usual), DVec3::X * 50.0);
+        let mut far = Drag::new(DVec3::ZERO, DVec3::X * 30.0, DVec2::ZERO).limited(Some(8.0));
+        assert_eq!(far.resisted(DVec3::X * -10.0, Pace::Usual), DVec3::X * -10.0, "earlier edits stay");
+    }
+
+    #[test]
+    fn shift_lifts_the_limit_without_a_jump() {
+        let camera = camera();
+        let mut drag = Drag::new(DVec3::ZERO, DVec3::ZERO, DVec2::ZERO).limited(Some(5.0));
+        let mut go = |x: f64, pace| {
+            let offset_mm = drag.offset_m(&camera, DVec2::new(x, 0.0), None, pace) * MM_PER_M;
+            drag.resisted(offset_mm, pace).length()
+        };
+        let held_mm = go(200.0, Pace::Usual);
+        let (fine_mm, further_mm) = (go(200.0, Pace::Fine), go(400.0, Pace::Fine));
+        assert!((fine_mm - held_mm).abs() < 1e-9, "{held_mm} to {fine_mm}");
+        assert!(further_mm > fine_mm + 1.0 && go(500.0, Pace::Usual) > 10.0);
     }
 
     #[test]

@@ -269,7 +269,7 @@ impl OpenFace {
 
     /// Tick of the current slider: no solve, no allocation. `to_mm` is its value, including earlier entries.
     pub(crate) fn slide(&mut self, slider: FaceSlider, to_mm: f64) -> Result<(), SessionError> {
-        let by_mm = to_mm - self.rows.in_force_mm(EditTarget::Slider(slider));
+        let by_mm = to_mm - self.rows.slider_mm(slider);
         self.offsets_m.clear();
         self.offsets_m.extend(self.unit_offsets_m.iter().map(|offset| *offset * (by_mm * M_PER_MM)));
         self.move_to(Moving::Slider { slider, by_mm })
@@ -290,6 +290,27 @@ impl OpenFace {
         let changes = [Some(expression), partner].into_iter().flatten().filter(|(_, by)| by.abs() > MIN_WEIGHT);
         self.document.preview_expressions(&changes.collect::<Vec<_>>())?;
         self.moving = Moving::Expression { expression, partner };
+        Ok(())
+    }
+
+    /// Sets the weights of all expressions, as one change of the history; no change if they have them.
+    pub(crate) fn set_weights(
+        &mut self,
+        weights: &[f64; Expression::ALL.len()],
+        edit_options: &EditOptions,
+    ) -> Result<(), SessionError> {
+        self.commit(edit_options);
+        let now = self.weights();
+        let change = |one: Expression| (one, (weights[one as usize] - now[one as usize]).clamp(-1.0, 1.0));
+        let changes: Vec<_> = Expression::ALL.map(change).into_iter().filter(|(_, by)| by.abs() > MIN_WEIGHT).collect();
+        if changes.is_empty() {
+            return Ok(());
+        }
+        let first = self.document.history().entries().len();
+        self.document.preview_expressions(&changes)?;
+        // Each entry gets the id of its expression as label.
+        self.document.commit("");
+        self.rows.read(&self.document, first);
         Ok(())
     }
 

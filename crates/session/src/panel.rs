@@ -17,6 +17,7 @@ mod method;
 mod name;
 mod phrase;
 mod print;
+mod save;
 mod selection;
 mod size;
 mod speech;
@@ -46,11 +47,13 @@ const DISTANCE_CM: Range = Range { min: 20.0, max: 300.0, step: 1.0, neutral: 50
 type Section = (fn(&Session) -> Widget, bool);
 
 /// The sections, in display order.
-const SECTIONS: [Section; 10] = [
+const SECTIONS: [Section; 12] = [
     (view::scene, false),
+    (save::buttons, false),
+    (save::menu, false),
     (face::section, true),
-    (expressions::section, true),
     (selection::section, true),
+    (expressions::section, true),
     (in_photo::section, true),
     (history::section, false),
     (method::section, false),

@@ -1,3 +1,5 @@
+use crate::ShapePart;
+
 /// Share by which the panel offers to make a face symmetric at first.
 pub(crate) const SYMMETRY_SHARE: f64 = 0.5;
 
@@ -5,6 +7,7 @@ pub(crate) const SYMMETRY_SHARE: f64 = 0.5;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PanelState {
     pub is_expert: bool,
+    pub part: ShapePart,
     pub symmetry_share: f64,
     pub tape: Option<Tape>,
 }
@@ -20,13 +23,13 @@ pub(crate) struct Tape {
 
 impl Default for PanelState {
     fn default() -> Self {
-        Self { is_expert: false, symmetry_share: SYMMETRY_SHARE, tape: None }
+        Self { is_expert: false, part: ShapePart::default(), symmetry_share: SYMMETRY_SHARE, tape: None }
     }
 }
 
 impl PanelState {
     /// The state for another face.
     pub fn for_another_face(self) -> Self {
-        Self { is_expert: self.is_expert, ..Self::default() }
+        Self { is_expert: self.is_expert, part: self.part, ..Self::default() }
     }
 }

@@ -2,15 +2,17 @@ use glam::DVec3;
 use rosto_face::{Region, canonical_positions_m, mirror_of};
 use rosto_studio::{EditTarget, Expression, FaceSlider};
 
+use crate::ShapePart;
+
 rosto_mesh::named! {
     /// Kind of selection made by a click or a drag.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
     pub enum SelectionMode {
-        /// One landmark.
-        #[default]
-        Landmark = "landmark",
         /// The region around the landmark.
+        #[default]
         Region = "region",
+        /// One landmark.
+        Landmark = "landmark",
         /// Any vertex of the displayed mesh; at density 0, the landmarks.
         Point = "point",
     }
@@ -70,6 +72,23 @@ impl Selection {
         }
     }
 
+    /// The part of the face in which it lies.
+    pub fn part(self) -> ShapePart {
+        match self {
+            Self::Region(region) => ShapePart::of(region),
+            _ => Region::containing(self.centre()).first().map_or(ShapePart::Face, |region| ShapePart::of(*region)),
+        }
+    }
+
+    /// How far its place differs between people, in mm.
+    pub fn spread_mm(self) -> f64 {
+        match self {
+            Self::Region(region) => region.spread_mm(),
+            Self::Landmark(_) | Self::Point { level: 0, .. } => spread_mm_at(self.centre()),
+            Self::Point { .. } => SPREAD_MM,
+        }
+    }
+
     /// The target of edits of this selection.
     pub fn target(self) -> EditTarget {
         match self {
@@ -78,6 +97,14 @@ impl Selection {
             Self::Point { level, vertex } => EditTarget::Point { level, vertex },
         }
     }
+}
+
+/// Spread of a point without a region.
+const SPREAD_MM: f64 = 5.0;
+
+/// Spread of the smallest region around a landmark.
+fn spread_mm_at(landmark: u32) -> f64 {
+    Region::containing(landmark).first().map_or(SPREAD_MM, |region| region.spread_mm())
 }
 
 /// The landmark nearest to a region's centre; on the midline if the region is symmetric.

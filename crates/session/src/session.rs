@@ -15,8 +15,9 @@ mod selecting;
 mod texturing;
 mod transaction;
 
+use glam::DVec2;
 use rosto_face::LANDMARK_COUNT;
-use rosto_stage::{Axis, Scene, Stage};
+use rosto_stage::{Axis, Stage};
 
 use crate::files::Files;
 use crate::gesture::{Gesture, Hovered};
@@ -40,6 +41,8 @@ pub struct Session {
     view: View,
     gesture: Gesture,
     hovered: Hovered,
+    /// Position of the pointer over the canvas, in px.
+    pointer_px: Option<DVec2>,
     stage: Stage,
     seeds: Seeds,
     brush_px: Option<f64>,
@@ -61,6 +64,7 @@ impl Session {
             view: View::default(),
             gesture: Gesture::default(),
             hovered: Hovered::default(),
+            pointer_px: None,
             stage: Stage::default(),
             seeds: Seeds::new(seed),
             brush_px: None,
@@ -148,15 +152,15 @@ impl Session {
     /// [`SessionError`] if the action is refused; the session is unchanged.
     pub fn apply(&mut self, intent: Intent) -> Result {
         let intent = self.resolved(intent)?;
-        let is_in_hand = intent.ends_idle_rotation();
+        let uses_tools = intent.uses_tools() || self.moves_pointer(&intent);
         let changed = self.apply_atomically(intent)?;
-        if is_in_hand {
-            self.stage.end_swing();
+        if uses_tools {
+            let is_held = self.has_grabbed() || self.face().is_some_and(OpenFace::is_moving);
+            self.stage.use_tools(is_held);
         }
         if changed >= Changed::Document {
             self.check_pointer();
             self.show_marks();
-            self.keep_in_frame();
             self.update_tape();
             self.files.outdate();
         }
@@ -164,14 +168,6 @@ impl Session {
             marks::show_offset(&mut self.stage, self.face.as_ref());
         }
         Ok(changed)
-    }
-
-    /// Frames a face again that has grown out of the view, once the edit has ended.
-    fn keep_in_frame(&mut self) {
-        let is_free = self.stage.scene() == Scene::Solid;
-        if let Some(face) = self.face.as_ref().filter(|face| is_free && !face.is_moving()) {
-            self.stage.reframe(face.document().committed());
-        }
     }
 
     fn show_marks(&mut self) {

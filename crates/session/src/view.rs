@@ -34,6 +34,8 @@ pub struct View {
     pub density: u32,
     /// Whether anchors are marked.
     pub anchors: Switch,
+    /// Whether the photo is seen behind the 3D face.
+    pub backdrop: Visibility,
     /// Whether animations run.
     pub motion: Motion,
 }
@@ -72,6 +74,7 @@ impl Default for View {
             triangulation: Triangulation::Canonical,
             density: SMOOTH_DENSITY,
             anchors: Switch::Off,
+            backdrop: Visibility::Shown,
             motion: Motion::default(),
         }
     }

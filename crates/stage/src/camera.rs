@@ -55,8 +55,6 @@ pub enum Glide {
 pub struct Camera {
     now: Pose,
     goal: Pose,
-    /// Additional rotation around the upright axis.
-    sway: f64,
     lens: Lens,
     pinhole: Option<Pinhole>,
     /// Picture that is framed instead of the mesh.
@@ -78,7 +76,6 @@ impl Default for Camera {
         Self {
             now: home,
             goal: home,
-            sway: 0.0,
             lens,
             pinhole: None,
             framed: None,
@@ -99,14 +96,7 @@ impl Camera {
         self.goal.radius_m = radius_m.max(f64::MIN_POSITIVE);
         self.goal = self.home();
         self.now = self.goal;
-        self.sway = 0.0;
         self.visible_area = self.visible_area_goal;
-    }
-
-    /// Frames another radius around the same centre and glides there, keeping the direction.
-    pub fn reframe(&mut self, radius_m: f64) {
-        self.goal.radius_m = radius_m.max(f64::MIN_POSITIVE);
-        self.goal.eye = self.lens_pose().0;
     }
 
     /// Sets the widths in px of the picture's margins that are covered (top, right, bottom, left). The camera glides
@@ -179,12 +169,11 @@ impl Camera {
     }
 
     fn apply_lens(&mut self) {
-        let (eye, facing) = self.lens_pose();
-        self.goal.eye = eye;
-        match facing {
+        match self.lens_pose().1 {
             Some(_) => self.look(NamedView::Reset),
             None => self.goal.facing.roll = 0.0,
         }
+        self.goal.eye = self.eye_towards(&self.goal.facing);
     }
 
     /// The lens' eye and, for a pinhole, its orientation.
@@ -205,32 +194,22 @@ impl Camera {
 
     /// Orbits as if the pointer dragged the face: half a turn per picture height.
     pub fn orbit(&mut self, dx_px: f64, dy_px: f64) {
-        let facing = &mut self.goal.facing;
+        let facing = self.goal.facing;
         let motion_px = DVec2::new(self.sides.sign() * dx_px, dy_px);
         let radians = DVec2::from_angle(-facing.roll).rotate(motion_px) * (PI / self.size_px.y);
-        facing.azimuth -= radians.x;
-        facing.elevation = (facing.elevation + radians.y).clamp(-Facing::MAX_ELEVATION, Facing::MAX_ELEVATION);
+        let elevation = (facing.elevation + radians.y).clamp(-Facing::MAX_ELEVATION, Facing::MAX_ELEVATION);
+        self.face_towards(Facing { azimuth: facing.azimuth - radians.x, elevation, ..facing });
     }
 
     /// Turns around the upright axis with a glide.
     pub fn turn_towards(&mut self, radians: f64) {
-        self.goal.facing.azimuth += radians;
+        self.face_towards(self.goal.facing.turned(radians));
     }
 
     /// Turns around the upright axis without a glide.
     pub fn turn(&mut self, radians: f64) {
-        self.goal.facing.azimuth += radians;
-        self.now.facing.azimuth += radians;
-    }
-
-    /// Sets the additional rotation around the upright axis, independent of the goal.
-    pub fn sway(&mut self, radians: f64) {
-        self.sway = radians;
-    }
-
-    /// Ends the additional rotation with a glide.
-    pub fn end_sway(&mut self) {
-        self.now.facing.azimuth += std::mem::take(&mut self.sway);
+        self.face_towards(self.goal.facing.turned(radians));
+        self.now = self.turned(self.now, self.now.facing.turned(radians));
     }
 
     /// Moves in the view plane so that the picture follows the pointer.
@@ -250,6 +229,15 @@ impl Camera {
         }
     }
 
+    /// Magnifies by `factor` about a position on the canvas, which stays in place.
+    pub fn zoom_at(&mut self, factor: f64, at_px: DVec2) {
+        let before = self.goal.zoom;
+        self.zoom(factor);
+        let from_centre_px = at_px - self.visible_area_goal.centre * self.size_px;
+        let by_px = from_centre_px * (1.0 - self.goal.zoom / before);
+        self.pan(by_px.x, by_px.y);
+    }
+
     /// Turns to a named view the short way round.
     pub fn look(&mut self, view: NamedView) {
         if view == NamedView::Reset {
@@ -261,7 +249,32 @@ impl Camera {
             NamedView::Left => Facing { azimuth: FRAC_PI_2, ..Facing::default() },
             NamedView::Top => Facing { elevation: Facing::MAX_ELEVATION, ..Facing::default() },
         };
-        self.goal.facing = facing.nearest_to(&self.now.facing);
+        self.face_towards(facing.nearest_to(&self.now.facing));
+    }
+
+    /// Turns the goal to a direction.
+    fn face_towards(&mut self, facing: Facing) {
+        self.goal = self.turned(self.goal, facing);
+    }
+
+    /// A pose turned to a direction. In front of a picture, the mesh turns in its place, and the lens changes from the
+    /// pinhole's to the chosen one.
+    fn turned(&self, pose: Pose, facing: Facing) -> Pose {
+        if self.framed.is_none() {
+            return Pose { facing, ..pose };
+        }
+        let from_centre_m = pose.facing.axes().transpose() * (pose.target_m - self.centre_m);
+        let target_m = self.centre_m + facing.axes() * from_centre_m;
+        Pose { facing, target_m, eye: self.eye_towards(&facing), ..pose }
+    }
+
+    /// The eye for a direction.
+    fn eye_towards(&self, facing: &Facing) -> Eye {
+        let (eye, taken) = self.lens_pose();
+        match taken.filter(|_| self.lens != Lens::AsTaken) {
+            Some(taken) => eye.towards(&self.lens.eye(self.goal.radius_m), taken.turned_share(facing)),
+            None => eye,
+        }
     }
 
     /// Advances the motion by `seconds`; returns whether the camera was moving.

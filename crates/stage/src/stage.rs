@@ -1,12 +1,14 @@
 mod arrival;
 mod frame;
 mod picture;
+mod tools;
 
 use glam::{DVec2, DVec3};
 
 use crate::{Axis, Camera, Mark, PicturePlane, Pointer, RenderSettings, Scene, Visibility};
 
 use arrival::Arrival;
+use tools::Tools;
 pub use frame::FrameUniforms;
 
 /// Margin factor around the framed sphere.
@@ -22,8 +24,6 @@ pub struct Stage {
     marks: Vec<Mark>,
     offsets_m: [DVec3; 2],
     ground_m: DVec3,
-    /// Distance of the framed mesh's furthest vertex from the centre.
-    framed_m: f64,
     pixel_ratio: f64,
     pointer_px: Option<DVec2>,
     hovered: Option<u32>,
@@ -32,8 +32,10 @@ pub struct Stage {
     turntable_deg_per_s: f64,
     picture: Option<PicturePlane>,
     scene: Scene,
-    /// Opacity of the picture, 0..1.
+    backdrop: Visibility,
+    /// Share of the picture over the mesh, 0..1.
     picture_share: f64,
+    tools: Tools,
     arrival: Arrival,
     last_ms: Option<f64>,
     changed: bool,
@@ -56,7 +58,6 @@ impl Default for Stage {
             marks: Vec::new(),
             offsets_m: [DVec3::ZERO; 2],
             ground_m: DVec3::ZERO,
-            framed_m: 0.0,
             pixel_ratio: 1.0,
             pointer_px: None,
             hovered: None,
@@ -65,7 +66,9 @@ impl Default for Stage {
             turntable_deg_per_s: 0.0,
             picture: None,
             scene: Scene::default(),
+            backdrop: Visibility::default(),
             picture_share: 0.0,
+            tools: Tools::default(),
             arrival: Arrival::Over,
             last_ms: None,
             changed: true,
@@ -104,16 +107,7 @@ impl Stage {
         let centre_m = 0.5 * (low + high);
         let extent_m = extent_m(positions_m, centre_m);
         self.camera_mut().frame(centre_m, MARGIN * extent_m);
-        self.framed_m = extent_m;
         self.ground_m = DVec3::new(centre_m.x, low.y - 0.10 * extent_m, 0.7 * low.z + 0.3 * high.z);
-    }
-
-    /// Adapts the framed radius to a mesh that has grown or shrunk, but not below the radius first framed.
-    pub fn reframe(&mut self, positions_m: &[DVec3]) {
-        let radius_m = MARGIN * extent_m(positions_m, self.camera.centre_m()).max(self.framed_m);
-        if (radius_m / self.camera.radius_m() - 1.0).abs() > 1e-3 {
-            self.camera_mut().reframe(radius_m);
-        }
     }
 
     /// Sets the viewport insets ([`Camera::set_viewport_insets`]); without a glide while a mesh is arriving.
@@ -126,9 +120,13 @@ impl Stage {
         }
     }
 
-    /// A copy without marks, gizmo, plane, rim and glow, centred in the picture.
+    /// A copy without marks, gizmo, plane, rim, glow and the picture behind the mesh, centred.
     pub fn without_tools(&self) -> Self {
         let mut bare = self.clone();
+        if self.scene == Scene::Solid && self.backdrop == Visibility::Shown {
+            bare.backdrop = Visibility::Hidden;
+            bare.camera.leave_picture();
+        }
         bare.marks.clear();
         (bare.pointer_px, bare.hovered, bare.gizmo, bare.gizmo_axis) = (None, None, None, None);
         (bare.settings.mirror_plane, bare.settings.rim, bare.settings.glow) =
@@ -183,10 +181,11 @@ impl Stage {
         self.gizmo
     }
 
-    /// Arm of the gizmo under the pointer; `positions_m` are the current vertex positions. `None` without a gizmo or if
-    /// its vertex is out of range.
+    /// Arm of the gizmo under the pointer; `positions_m` are the current vertex positions. `None` without a
+    /// visible gizmo, or if its vertex is out of range.
     pub fn pick_axis(&self, position_px: DVec2, positions_m: &[DVec3], pointer: Pointer) -> Option<Axis> {
-        let vertex_m = *positions_m.get(self.gizmo? as usize)?;
+        let gizmo = self.gizmo.filter(|_| self.tools_opacity() > 0.0)?;
+        let vertex_m = *positions_m.get(gizmo as usize)?;
         crate::markers::axis_under(&self.camera, vertex_m, position_px, self.pixel_ratio, pointer)
     }
 
@@ -204,16 +203,17 @@ impl Stage {
     pub fn advance(&mut self, time_ms: f64) -> Step {
         let seconds = self.last_ms.map_or(0.0, |last_ms| ((time_ms - last_ms) * 1e-3).clamp(0.0, MAX_STEP_S));
         let was_moving = self.arrival != Arrival::Over;
-        self.advance_arrival(time_ms, seconds);
+        self.advance_arrival(time_ms);
+        let (fading_tools, waiting) = self.advance_tools(time_ms);
         let fading = self.advance_picture(seconds);
         let turning = self.turntable_deg_per_s != 0.0;
         self.camera.turn(-self.turntable_deg_per_s.to_radians() * seconds);
         let gliding = self.camera.advance(if self.last_ms.is_some() { seconds } else { 0.0 });
         self.lift(time_ms);
-        let again = turning || gliding || fading || self.arrival != Arrival::Over;
-        self.last_ms = again.then_some(time_ms);
-        let draw = std::mem::take(&mut self.changed) || again || was_moving;
-        Step { draw, again }
+        let moves = turning || gliding || fading || fading_tools || self.arrival != Arrival::Over;
+        self.last_ms = moves.then_some(time_ms);
+        let draw = std::mem::take(&mut self.changed) || moves || was_moving;
+        Step { draw, again: moves || waiting }
     }
 
     /// Marks as the GPU reads them: vertex and kind; kinds 4 to 6 are the axes' letters.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
-use rosto_stage::{Camera, Glide, Lens, NamedView};
+use rosto_stage::{Camera, Glide, NamedView};
 
 fn camera() -> Camera {
     let mut camera = Camera::default();
@@ -82,20 +82,6 @@ fn the_framed_sphere_fits_the_visible_area() {
             assert!(miss < 1e-12, "{miss}");
         }
     }
-}
-
-#[test]
-fn reframing_glides_to_the_new_radius() {
-    let mut camera = camera();
-    camera.set_lens(Lens::Parallel);
-    while camera.advance(0.016) {}
-    let top = camera.centre_m() + DVec3::new(0.0, 0.12, 0.0);
-    let (before, scale) = (camera.project(top).unwrap(), camera.m_per_px());
-    camera.reframe(0.18);
-    assert!(camera.project(top).unwrap().distance(before) < 1e-9);
-    while camera.advance(0.016) {}
-    assert!((camera.m_per_px() / scale - 1.5).abs() < 1e-9);
-    assert!(camera.project(camera.centre_m() + DVec3::new(0.0, 0.18, 0.0)).unwrap().distance(before) < 1e-9);
 }
 
 #[test]

@@ -69,7 +69,7 @@ fn a_camera_stream_stays_fixed_on_the_screen_while_the_head_moves() {
     for zoom in [1.0, 1.7] {
         let mut camera = swapped();
         camera.set_pinhole(Some(pinhole));
-        camera.frame_picture(first);
+        camera.frame_picture(Some(first));
         camera.zoom(zoom);
         camera.pan(12.0 * (zoom - 1.0), 5.0 * (zoom - 1.0));
         camera.advance(0.0);
@@ -107,7 +107,7 @@ fn a_mirrored_camera_stream_is_shown_completely() {
     let (photo, pinhole) = picture([0.0; 3], 600.0, DVec2::new(200.0, 240.0));
     let mut camera = camera();
     camera.set_pinhole(Some(pinhole));
-    camera.frame_picture(photo);
+    camera.frame_picture(Some(photo));
     camera.advance(0.0);
     camera.set_sides(Sides::Swapped);
     let (camera_stream, pinhole) = picture([0.1, 0.0, 0.2], 700.0, DVec2::new(400.0, 240.0));

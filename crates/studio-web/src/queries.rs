@@ -27,6 +27,12 @@ impl Studio {
         vec![from.x, from.y, to.x, to.y]
     }
 
+    /// Opacity of the marks at the selection, 0..1; they fade one second after their last use.
+    #[wasm_bindgen(getter, js_name = toolsOpacity)]
+    pub fn tools_opacity(&self) -> f64 {
+        self.session.stage().tools_opacity()
+    }
+
     /// Data of the open face apart from its mesh, as JSON text: its photo's lens, the pose of the head, and the
     /// measures of its edited shape.
     ///

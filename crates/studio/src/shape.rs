@@ -28,6 +28,11 @@ impl Shape {
         size_of_val(self) + self.made.iter().map(|made| size_of_val(made.as_slice())).sum::<usize>()
     }
 
+    /// Displacement of a vertex of the cage, without expressions.
+    pub(crate) fn made_m(&self, vertex: usize) -> DVec3 {
+        self.made[0].get(vertex).copied().unwrap_or_default()
+    }
+
     /// Replaces this shape by a copy; does not allocate if this one was like it.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.made.clone_from(&other.made);

@@ -42,6 +42,8 @@ struct FrameUniforms {
     picture_height_px: f32,
     picture_down_m: vec3f,
     swapped: f32,
+    // Opacity of marks and gizmo, 0..1.
+    tools: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;

@@ -26,7 +26,7 @@ fn arm_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) axis: 
     arm.clip = moved_by_px(select(from_clip, to_clip, corner.x > 0.0), sideways_px);
     arm.across_px = corner.y * half_px;
     arm.axis = axis;
-    arm.strength = arm_strength(vertex_m, axis);
+    arm.strength = frame.tools * arm_strength(vertex_m, axis);
     return arm;
 }
 

@@ -45,9 +45,9 @@ fn arm_strength(vertex_m: vec3f, axis: u32) -> f32 {
 @vertex
 fn vertex(@builtin(vertex_index) index: u32, @location(0) mark: vec2u) -> Corner {
     var point_m = position_m(mark.x);
-    var strength = 1.0;
+    var strength = select(frame.tools, 1.0, mark.y == SQUARE || mark.y == PIN);
     if mark.y >= LETTER_X && mark.y <= LETTER_Z {
-        strength = arm_strength(point_m, mark.y - LETTER_X);
+        strength *= arm_strength(point_m, mark.y - LETTER_X);
         point_m = along_axis_m(point_m, mark.y - LETTER_X, GIZMO_PX + LETTER_GAP_PX);
     }
     let corner = square_corner(index) * HALF_SIDE_PX;

@@ -7,13 +7,19 @@ struct Corner {
     @location(0) uv: vec2f,
 }
 
-// Target and source of a point, in px of the picture.
+// The first points are the corners of the whole picture.
+const CORNERS = 4u;
+
+// Target and source of a point, in px of the picture. The picture is behind everything else. Its moving part is in front
+// of the whole one, so that a transparent picture shows one of them.
 @vertex
-fn vertex(@location(0) to_px: vec2f, @location(1) from_px: vec2f) -> Corner {
+fn vertex(@builtin(vertex_index) index: u32, @location(0) to_px: vec2f, @location(1) from_px: vec2f) -> Corner {
     let place_px = mix(to_px, from_px, frame.before);
     let place_m = frame.picture_origin_m + place_px.x * frame.picture_right_m + place_px.y * frame.picture_down_m;
     let uv = from_px / vec2f(frame.picture_width_px, frame.picture_height_px);
-    return Corner(frame.clip_from_model * vec4f(place_m, 1.0), uv);
+    let clip = frame.clip_from_model * vec4f(place_m, 1.0);
+    let depth = select(0.9999, 0.99995, index < CORNERS);
+    return Corner(vec4f(clip.xy, depth * clip.w, clip.w), uv);
 }
 
 @fragment

@@ -95,7 +95,7 @@ fn record_shape(drawn: &FrameResources, stage: &Stage, pass: &mut wgpu::RenderPa
 }
 
 fn record_photo_layer(drawn: &FrameResources, stage: &Stage, pass: &mut wgpu::RenderPass<'_>) {
-    let Some(photo_layer) = drawn.photo_layer.as_ref().filter(|_| stage.picture_share() > 0.0) else { return };
+    let Some(photo_layer) = drawn.photo_layer.as_ref().filter(|_| stage.picture_opacity() > 0.0) else { return };
     pass.set_pipeline(&drawn.pipelines.photo_layer);
     pass.set_bind_group(1, &photo_layer.bindings, &[]);
     pass.set_vertex_buffer(0, photo_layer.points_on_gpu.slice(..));

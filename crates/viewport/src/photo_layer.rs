@@ -18,7 +18,7 @@ pub struct PhotoLayerInput<'a> {
     pub picture: &'a PictureOnGpu,
 }
 
-/// Photo layer in GPU memory: the whole picture as two triangles, with the moving triangles on top.
+/// Photo layer in GPU memory: the moving triangles, and behind them the whole picture as two triangles.
 #[derive(Debug)]
 pub(crate) struct PhotoLayerOnGpu {
     corners: [DVec2; 4],
@@ -37,7 +37,7 @@ impl PhotoLayerOnGpu {
         let corners = [DVec2::ZERO, DVec2::new(width, 0.0), input.size_px, DVec2::new(0.0, height)];
         let whole = [[0, 1, 2], [0, 2, 3]];
         let moving = input.triangles.iter().map(|triangle| triangle.map(|corner| corner + corners.len() as u32));
-        let triangles: Vec<[u32; 3]> = whole.into_iter().chain(moving).collect();
+        let triangles: Vec<[u32; 3]> = moving.chain(whole).collect();
         let points: Vec<[f32; 4]> =
             corners.iter().chain(input.from_px).map(|position| point(*position, *position)).collect();
         let sampler = picture::sampler(gpu);

@@ -191,8 +191,8 @@ fn pipeline(
 
 fn depth(role: Role) -> wgpu::DepthStencilState {
     let (write, compare) = match role {
-        Role::Backdrop | Role::PhotoLayer => (false, wgpu::CompareFunction::Always),
-        Role::Solid | Role::DepthOnly => (true, wgpu::CompareFunction::Less),
+        Role::Backdrop => (false, wgpu::CompareFunction::Always),
+        Role::PhotoLayer | Role::Solid | Role::DepthOnly => (true, wgpu::CompareFunction::Less),
         Role::Overlay => (false, wgpu::CompareFunction::LessEqual),
         Role::SeenThrough { .. } => (false, wgpu::CompareFunction::Greater),
     };

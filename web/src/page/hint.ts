@@ -3,43 +3,33 @@ import { byId } from "./dom.ts";
 import { remember, remembered } from "./remember.ts";
 
 /** Actions that the hints suggest, in order. */
-const ACTIONS = ["drag", "turn"] as const;
+const ACTIONS = ["turn", "drag"] as const;
 
-export type Action = (typeof ACTIONS)[number];
+type Action = (typeof ACTIONS)[number];
 
 let isShowing = false;
-const listeners = new Set<(action: Action | undefined) => void>();
 
 /** Writes the current hint in each locale. */
 export function setUpHints() {
-  onHint((action) => {
-    const element = byId("hint", HTMLParagraphElement);
-    element.hidden = action === undefined;
-    if (action) element.textContent = t(`hint.${action}`);
-  });
-  onLocaleChange(notify);
+  onLocaleChange(write);
 }
 
 /** Shows the first hint that is not completed yet. */
 export function showHints() {
   isShowing = true;
-  notify();
+  write();
 }
 
-/** Marks the action's hint as completed, also for later visits. */
-export function completeHint(action: Action) {
-  if (remembered(`did.${action}`)) return;
-  remember(`did.${action}`, "yes");
-  notify();
+/** Marks the action's hint, or all hints, as completed, also for later visits. */
+export function completeHints(...actions: Action[]) {
+  const open = actions.filter((action) => !remembered(`did.${action}`));
+  for (const action of open) remember(`did.${action}`, "yes");
+  if (open.length > 0) write();
 }
 
-/** @param listener called now and later with the suggested action */
-export function onHint(listener: (action: Action | undefined) => void) {
-  listeners.add(listener);
-  notify();
-}
-
-function notify() {
+function write() {
+  const element = byId("hint", HTMLParagraphElement);
   const suggested = isShowing ? ACTIONS.find((action) => !remembered(`did.${action}`)) : undefined;
-  for (const listener of listeners) listener(suggested);
+  element.hidden = suggested === undefined;
+  if (suggested) element.textContent = t(`hint.${suggested}`);
 }

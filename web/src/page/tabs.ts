@@ -19,10 +19,14 @@ export function setUpTabs() {
       next.focus();
     });
   }
-  // Its target can be in another tab and a closed section.
-  byId("skip-link", HTMLAnchorElement).addEventListener("click", () => {
+  // Its target can be in another tab, another part and a closed section.
+  byId("skip-link", HTMLAnchorElement).addEventListener("click", (event) => {
+    event.preventDefault();
     choose(byId("tab-shape", HTMLButtonElement));
-    byId("section-landmark", HTMLDetailsElement).open = true;
+    const section = byId("section-landmark", HTMLDetailsElement);
+    section.open = true;
+    if (!section.checkVisibility()) document.querySelector<HTMLInputElement>("#shape input[value='point']")?.click();
+    section.querySelector<HTMLElement>("input:checked")?.focus();
   });
   SMALL.addEventListener("change", placeSettings);
   placeSettings();

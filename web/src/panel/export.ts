@@ -34,9 +34,40 @@ export function loadPictures() {
 /** Performs the actions of the export panel: files, pictures and sharing. */
 export function setUpExport(context: Context) {
   offerMeshes(context);
-  offerPhoto(context);
-  offerPictures(context);
+  const makePhoto = offerPhoto(context);
+  const makePicture = offerPictures(context);
   setUpClip(context.host, context.opening);
+  setUpSaving(context.host);
+  perform(context.host, "save.share", async () => {
+    const [isPhoto, isEdited] = context.host.read(({ chosen, canUndo }) => [chosen["scene"] === "picture", canUndo]) ?? [];
+    const file = isPhoto ? await makePhoto("image/jpeg", "jpg") : await makePicture(isEdited ? "before-after" : "view");
+    if (file) await share(file);
+  });
+}
+
+/** The main button saves what the stage shows; the other one opens the menu. */
+function setUpSaving(host: Host) {
+  const menu = byId("save-popover", HTMLDivElement);
+  const press = (id: string) => byId(id, HTMLButtonElement).click();
+  onAction("save.main", () => {
+    const isPhoto = host.read(({ chosen }) => chosen["scene"] === "picture");
+    press(isPhoto ? "download-photo-jpeg" : "download-glb");
+  });
+  onAction("save.more", () => menu.togglePopover());
+  menu.addEventListener("toggle", () => {
+    const isOpen = menu.matches(":popover-open");
+    byId("save-more", HTMLButtonElement).ariaExpanded = String(isOpen);
+    if (isOpen) menu.querySelector<HTMLButtonElement>("button:enabled")?.focus();
+  });
+  // The clip shows its progress in the menu.
+  menu.addEventListener("click", ({ target }) => target instanceof Element && !target.closest(".clip") && menu.hidePopover());
+  onAction("open-print", () => {
+    press("tab-export");
+    const fold = byId("print", HTMLDetailsElement);
+    fold.open = true;
+    fold.scrollIntoView({ block: "start" });
+    fold.querySelector("summary")?.focus();
+  });
 }
 
 /** Meshes, for other programs, for printing and for AR, and the project. */
@@ -164,22 +195,26 @@ function setUpPrint(host: Host, files: FaceFiles) {
   };
 }
 
-/** The edited photo, at full size if its own file was opened. */
+/** The edited photo, at full size if its own file was opened. Returns a function that makes it, unless it is being made. */
 function offerPhoto({ host, opening, files, pictureSize }: Context) {
   const report = (about: Report) => host.applyShown({ report: about });
   let isWriting = false;
-  const write = async (type: "image/png" | "image/jpeg", extension: string) => {
+  const make = async (type: "image/png" | "image/jpeg", extension: string) => {
     const { face } = opening;
-    if (!face || isWriting) return;
+    if (!face || isWriting) return undefined;
     isWriting = true;
     report({ "writing-photo": true });
     try {
       const photo = await files.editedPhoto(type);
-      save(new File([photo], numberedName(face, extension, "edited"), { type }));
+      return new File([photo], numberedName(face, extension, "edited"), { type });
     } finally {
       isWriting = false;
       report({ "writing-photo": false });
     }
+  };
+  const write = async (...format: Parameters<typeof make>) => {
+    const file = await make(...format);
+    if (file) save(file);
   };
   perform(host, "download-photo-png", () => write("image/png", "png"));
   perform(host, "download-photo-jpeg", () => write("image/jpeg", "jpg"));
@@ -190,9 +225,10 @@ function offerPhoto({ host, opening, files, pictureSize }: Context) {
     const isSaved = leadPhotoOf(face).source.kind === "saved";
     report({ face: { stem: face.name, savedPx: isSaved ? [width, height] : undefined } });
   });
+  return make;
 }
 
-/** Pictures of the view, alone or before and after the edits. */
+/** Pictures of the view, alone or before and after the edits. Returns a function that makes one. */
 function offerPictures({ host, opening }: Context) {
   const sharesModels = canShare("model/gltf-binary", "face.glb");
   const sharesPictures = canShare("image/png", "face.png");
@@ -210,5 +246,5 @@ function offerPictures({ host, opening }: Context) {
   perform(host, "download-picture", async () => save(await make("view")));
   perform(host, "copy-picture", () => copyPicture(draw("view")).then(() => toast(t("export.copied"))));
   perform(host, "download-pair", async () => save(await make("before-after")));
-  perform(host, "share-pair", async () => share(await make("before-after")));
+  return make;
 }

@@ -119,6 +119,7 @@ const GROUPS: Record<Of<"group">["look"], () => Group> = {
   stack: () => makeFieldset("stack", "visually-hidden"),
   titled: () => makeFieldset("stack", "field-label"),
   lines: () => makeFieldset("stack lines", "visually-hidden"),
+  chips: () => makeFieldset("chips", "visually-hidden"),
   row: () => {
     const element = make("div", "row");
     element.role = "group";
@@ -171,6 +172,7 @@ function makeList(id: string, send: Send): View<Of<"choice">> {
 
 function makeSegments(id: string, { look, name, options, expert }: Of<"choice">, send: Send): View<Of<"choice">> {
   const [legend, segments] = [make("legend", "field-label"), make("div", `choice-options ${look}`)];
+  if (look === "icons") legend.className = "visually-hidden";
   const [help, scaleText] = [make("p", "caption"), make("p", "caption")];
   const scale = make("div", "legend", make("span", "legend-bar"), scaleText);
   const element = make("fieldset", "choice", legend, segments, help, scale);
@@ -181,7 +183,7 @@ function makeSegments(id: string, { look, name, options, expert }: Of<"choice">,
     const [input, text] = [make("input"), make("span")];
     Object.assign(input, { type: "radio", name: domId(id), value: option, disabled: custom.includes(option) });
     input.addEventListener("change", () => send({ set: [id, option] }));
-    const label = make("label", "", input, text);
+    const label = make("label", "", input, ...(look === "icons" ? [make("span", "", makeIcon(`${name}-${option}`), text)] : [text]));
     label.toggleAttribute("data-expert", expert.includes(option));
     segments.append(label);
     return { label, input, text, option };

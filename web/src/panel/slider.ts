@@ -1,7 +1,10 @@
 import { formatTyped, isWord, t } from "../words/words.ts";
 import type { Control, Widget } from "../../wasm/rosto-studio-web.js";
-import { make } from "../page/dom.ts";
+import { make, makeIcon } from "../page/dom.ts";
 import { domId, labelOf, type Send, type View } from "./widget.ts";
+
+/** Part of the range to each side of the neutral value that leads to it. */
+const DETENT = 0.02;
 
 /** Key presses closer together than this form one edit. */
 const KEY_COMMIT_DELAY_MS = 700;
@@ -14,7 +17,8 @@ type Slider = Extract<Control, { kind: "slider" }>;
 export function makeSlider(id: string, { range: limits, unit, axis }: Slider, send: Send): View<Slider> {
   const { min, max, step, neutral } = limits;
   const [label, range, field] = [make("span", "slider-label"), make("input"), make("input", "number-field")];
-  const element = make("div", "slider", label, range, field, make("span", "slider-unit", unit));
+  const reset = make("button", "slider-reset", makeIcon("reset"));
+  const element = make("div", "slider", label, reset, range, field, make("span", "slider-unit", unit));
   const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
   /** Value last shown; the inputs show it rounded. */
   let value = 0;
@@ -24,6 +28,8 @@ export function makeSlider(id: string, { range: limits, unit, axis }: Slider, se
   /** Timer that commits after the last key press; 0 if none is pending. */
   let pending = 0;
 
+  /** Place of a value on the track, 0 to 1. */
+  const share = (number: number) => Math.min(1, Math.max(0, (number - min) / (max - min)));
   const rounded = (number: number) => Number(number.toFixed(decimals)) + 0;
   const isTyping = () => "typing" in field.dataset;
   /** The number in the field; undefined if it is not one, or out of range. */
@@ -55,17 +61,26 @@ export function makeSlider(id: string, { range: limits, unit, axis }: Slider, se
   };
 
   element.id = domId(id);
+  range.style.setProperty("--neutral", String(share(neutral)));
   if (axis) element.dataset["axis"] = axis;
   Object.assign(range, { type: "range", min, max, step });
   Object.assign(field, { inputMode: "decimal", autocomplete: "off" });
   field.dataset["number"] = "";
-  label.addEventListener("dblclick", () => {
+  const resetNow = () => {
     set(neutral);
     end("commit");
-  });
+  };
+  reset.type = "button";
+  reset.addEventListener("click", resetNow);
+  element.addEventListener("dblclick", ({ target }) => target !== field && target !== reset && resetNow());
   range.addEventListener("pointerdown", () => (isByKey = false));
   range.addEventListener("keydown", ({ key }) => (isByKey = STEP_KEY.test(key)));
-  range.addEventListener("input", () => set(range.valueAsNumber));
+  range.addEventListener("input", () => {
+    // A detent at the neutral value, which keys leave in small steps.
+    const isCaught = !isByKey && Math.abs(range.valueAsNumber - neutral) < DETENT * (max - min);
+    if (isCaught) range.valueAsNumber = neutral;
+    set(range.valueAsNumber);
+  });
   range.addEventListener("change", () => (isByKey ? commitLater() : end("commit")));
   field.addEventListener("input", () => {
     if (!isTyping()) {
@@ -117,6 +132,10 @@ export function makeSlider(id: string, { range: limits, unit, axis }: Slider, se
       const stays = isTyping() && rounded(typed() ?? value) === rounded(next);
       value = next;
       range.value = String(rounded(value));
+      const [from, to] = [Math.min(value, neutral), Math.max(value, neutral)].map(share);
+      for (const [property, of] of [["--from", from], ["--to", to]] as const) range.style.setProperty(property, String(of));
+      reset.ariaLabel = reset.title = t("slider.reset", { name });
+      reset.hidden = rounded(value) === rounded(neutral) || !widget.isEnabled;
       if (!stays) endTyping();
     },
   };

@@ -1,5 +1,5 @@
-/** Side of the crop relative to the face. */
-const CROP_SCALE = 1.6;
+/** Side of the crop relative to the face: the head and the shoulders. */
+const CROP_SCALE = 2.2;
 
 /**
  * Centre and longer side of the landmarks' bounding box, in px of the picture.

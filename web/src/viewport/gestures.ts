@@ -6,6 +6,10 @@ type Point = { x: number; y: number };
 /** A press that moves less than this is a click, in CSS px. */
 const CLICK_SLOP_PX = 4;
 
+/** Time and distance within which two taps are a double tap. */
+const DOUBLE_TAP_MS = 350;
+const DOUBLE_TAP_PX = 24;
+
 /** A wheel notch zooms by about 10%. */
 const ZOOM_PER_WHEEL_PX = 0.001;
 const LINE_PX = 16;
@@ -14,17 +18,22 @@ const LINE_PX = 16;
  * Translates pointer events on the canvas into intents:
  *
  * - Drag a highlighted point: move it. Wheel or second finger meanwhile: change the influence radius.
- * - Drag elsewhere, or with another button: turn; with Shift: pan.
- * - Two fingers: turn and zoom. Three fingers: pan. Wheel: zoom.
- * - Click: select; with Alt: pin.
+ * - Drag elsewhere, or with another button: turn the face or pan the photo; with Shift: pan.
+ * - Two fingers: turn or pan, and zoom. Three fingers: pan. Wheel: zoom.
+ * - Click: select; with Alt: pin. Double tap, or double click next to the face: fit.
+ *
+ * @param onTurn called when the face is turned
  */
-export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") => void = () => {}) {
+export function setUpGestures(host: Host, onTurn = () => {}) {
   const { canvas } = host;
   /** Positions of the pressed pointers, in CSS px. */
   const pressed = new Map<number, Point>();
   /** Position of a press that can still become a click. */
   let click_px: [number, number] | undefined;
   let moved_px = 0;
+  let isPhoto = false;
+  /** The last tap: its time and position in CSS px. */
+  let tap = { time_ms: Number.NEGATIVE_INFINITY, x: 0, y: 0 };
   /** Pointer that drags a point. */
   let grabPointer: number | undefined;
   let isDragging = false;
@@ -38,7 +47,7 @@ export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") =
   let hovered: number | undefined;
 
   /** Pointer position in device pixels of the canvas. */
-  const positionOf = ({ clientX, clientY }: PointerEvent): [number, number] => {
+  const positionOf = ({ clientX, clientY }: { clientX: number; clientY: number }): [number, number] => {
     const { left, top, width, height } = canvas.getBoundingClientRect();
     return [((clientX - left) * canvas.width) / width, ((clientY - top) * canvas.height) / height];
   };
@@ -56,7 +65,7 @@ export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") =
   const turn = (dx: number, dy: number, moves: boolean) => {
     const by_px: [number, number] = [dx * devicePixelRatio, dy * devicePixelRatio];
     host.apply(moves ? { pan: by_px } : { orbit: by_px });
-    if (!moves) onGesture("turn");
+    if (!moves && !isPhoto) onTurn();
   };
   const endGrab = () => {
     grabPointer = undefined;
@@ -89,13 +98,20 @@ export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") =
     click_px = undefined;
     if (grabPointer === event.pointerId) {
       host.apply({ drag: [positionOf(event), event.shiftKey] });
-      onGesture("drag");
     } else if (grabPointer !== undefined) scaleRadius(after.apart / before.apart);
     else if (pressed.size === 1) turn(dx, dy, event.shiftKey);
     else {
       turn(after.x - before.x, after.y - before.y, pressed.size > 2);
-      if (before.apart > 0 && after.apart > 0) host.apply({ zoom: after.apart / before.apart });
+      if (before.apart > 0 && after.apart > 0) host.apply({ "zoom-at": [after.apart / before.apart, positionOf({ clientX: after.x, clientY: after.y })] });
     }
+  };
+  /** Fits the view, or selects. A mouse fits it next to the face, because repeated clicks select larger regions. */
+  const click = ({ pointerType, timeStamp, clientX: x, clientY: y, altKey }: PointerEvent, at_px: [number, number]) => {
+    const isNear = Math.hypot(x - tap.x, y - tap.y) < DOUBLE_TAP_PX && timeStamp - tap.time_ms < DOUBLE_TAP_MS;
+    const fits = isNear && (pointerType === "touch" || hovered === undefined);
+    tap = fits ? { time_ms: Number.NEGATIVE_INFINITY, x, y } : { time_ms: timeStamp, x, y };
+    if (fits) host.apply({ "go-to": "reset" });
+    else host.apply(altKey ? { "pin-under": at_px } : { "select-under": at_px });
   };
   const release = (event: PointerEvent) => {
     pressed.delete(event.pointerId);
@@ -105,7 +121,7 @@ export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") =
     if (grabPointer !== undefined && grabPointer !== event.pointerId) return;
     if (event.type === "pointercancel") host.apply("cancel");
     endGrab();
-    if (at_px && event.type === "pointerup") host.apply(event.altKey ? { "pin-under": at_px } : { "select-under": at_px });
+    if (at_px && event.type === "pointerup") click(event, at_px);
     // A mouse stays where it is; a finger is gone.
     if (event.pointerType !== "touch") hover(positionOf(event));
   };
@@ -114,7 +130,7 @@ export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") =
     const scroll_px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * LINE_PX : event.deltaY;
     const factor = Math.exp(-scroll_px * ZOOM_PER_WHEEL_PX);
     if (isDragging) scaleRadius(1 / factor);
-    else host.apply({ zoom: factor });
+    else host.apply({ "zoom-at": [factor, positionOf(event)] });
   };
   /** While dragging, X, Y and Z restrict the axis and Escape cancels. */
   const key = (event: KeyboardEvent) => {
@@ -132,6 +148,7 @@ export function setUpGestures(host: Host, onGesture: (action: "drag" | "turn") =
 
   host.on("change", (state) => {
     isDragging = state.isDragging;
+    isPhoto = state.chosen["scene"] === "picture";
     if (Math.round(radius_mm) !== state.radiusMm) radius_mm = state.radiusMm;
   });
   host.on("tick", (tick) => (along = tick.along));

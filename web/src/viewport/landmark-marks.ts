@@ -30,6 +30,7 @@ export function setUpMarks(host: Host, { tag, overlay, announce }: MarkOptions) 
     const at = named === undefined ? undefined : placeOf(host, named);
     if (!at) return;
     tag.dataset["place"] = `${at.x} ${at.y}`;
+    tag.style.opacity = String(host.ask((studio) => studio.toolsOpacity) ?? 0);
     placeTag(tag, host, at);
   };
   const write = () => {

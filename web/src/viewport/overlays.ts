@@ -1,13 +1,8 @@
 import { byId } from "../page/dom.ts";
-import { onHint } from "../page/hint.ts";
-import { placeOf } from "./tag-place.ts";
 import type { Host } from "./host.ts";
 
-/** The landmark that the first hint suggests dragging. */
-const NOSE_TIP = 1;
-
 /** Elements that stay over the stage. */
-const OVERLAY_IDS = ["faces", "privacy", "toolbar", "hint", "live"];
+const OVERLAY_IDS = ["faces", "privacy", "toolbar", "live"];
 
 /** Distance between the face and these elements, in CSS px. */
 const MARGIN_PX = 8;
@@ -16,28 +11,6 @@ const MARGIN_PX = 8;
 const STRIPE_PX = 10;
 const STRIPES = [["rgb(0 0 0 / 0.55)", 0], ["rgb(255 255 255 / 0.9)", 2]] as const;
 const RINGS = [["rgb(0 0 0 / 0.5)", 3], ["rgb(255 255 255)", 1.5]] as const;
-
-/** Shows a pulsing dot on the nose until the user has dragged something. */
-export function setUpPulse(host: Host) {
-  const dot = byId("pulse", HTMLSpanElement);
-  let isWanted = false;
-  let isSelected = false;
-  const show = () => {
-    dot.hidden = !isWanted || isSelected;
-    const at = dot.hidden ? undefined : placeOf(host, NOSE_TIP);
-    if (at) dot.style.translate = `${at.x}px ${at.y}px`;
-  };
-  onHint((action) => {
-    isWanted = action === "drag";
-    show();
-  });
-  // The selection has its own marker.
-  host.on("change", ({ selected }) => {
-    isSelected = selected !== undefined;
-    show();
-  });
-  host.on("frame", show);
-}
 
 /** Updates the viewport insets, so that the face is framed in the uncovered part of the stage. */
 export function setUpViewportInsets(host: Host) {

@@ -12,19 +12,23 @@ const HOLD_MS = 250;
 const THUMB_PX = 40;
 
 /**
- * Sets up the views of photo and 3D face, and the body's `data-scene`. If the window is wide enough, both can be seen
- * next to each other; a click on the photo opens it on the stage.
+ * Sets up the views of photo and 3D face, and the body's `data-scene`. If the window is wide enough, both are seen next
+ * to each other; a click on the photo opens it on the stage. Else, the photo is behind the 3D face.
  */
 export function setUpViews(host: Host) {
   const { dataset } = document.body;
   const button = byId("split-view", HTMLButtonElement);
   const photo = byId("photo-pane", HTMLButtonElement);
-  let isWanted = remembered("split-view") === "yes";
+  let isWanted = remembered("split-view") !== "no";
+  /** The studio that knows where the photo is. */
+  let informed: object | undefined;
   const show = () => {
     const isShown = isWanted && WIDE_WINDOW.matches && dataset["scene"] !== "picture" && dataset["state"] === "face";
     button.ariaPressed = String(isShown);
-    if (photo.hidden !== isShown) return;
+    if (photo.hidden !== isShown && informed === host.instance) return;
     photo.hidden = !isShown;
+    informed = host.instance;
+    host.apply({ backdrop: !isShown });
     host.updatePhoto();
   };
   button.addEventListener("click", () => {

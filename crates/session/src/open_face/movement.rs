@@ -12,13 +12,15 @@ const MIN_SHARE: f64 = 0.25;
 
 /// Amounts and limits of edits.
 impl OpenFace {
-    /// Value of a slider in mm: the sum of its entries in force and the edit in progress.
+    /// Value of a slider in mm: the sum of its entries in force, and the amount of it in edits by hand, with the edit in
+    /// progress. A drag of the chin moves the slider of its length, too.
     pub fn slider_mm(&self, slider: FaceSlider) -> f64 {
         let moving_mm = match self.moving {
             Moving::Slider { slider: moved, by_mm } if moved == slider => by_mm,
+            Moving::Selection { .. } => self.document.preview_amounts_m()[slider as usize] * MM_PER_M,
             _ => 0.0,
         };
-        self.rows.in_force_mm(EditTarget::Slider(slider)) + moving_mm
+        self.rows.slider_mm(slider) + moving_mm
     }
 
     /// Weight of each expression, 0..=1 within the sliders' range: the sum of its entries in force and the edit in

@@ -15,8 +15,7 @@ pub(super) fn section(session: &Session) -> Widget {
     let others = [print::fold(session), making(session), photo(session), other_formats(session)]
         .into_iter()
         .chain(pictures(session));
-    let project = [page_button("save-project", "work.save"), help("work.help")];
-    let widgets = glb(session).into_iter().chain(others).chain(project).collect();
+    let widgets = glb(session).into_iter().chain(others).collect();
     group("section.export", GroupLook::Plain, widgets).on("export")
 }
 
@@ -153,15 +152,11 @@ fn photo(session: &Session) -> Widget {
         }
         None => Phrase::word("export.photo.help"),
     };
-    let buttons = vec![
-        page_button("download-photo-jpeg", "export.photo.jpeg"),
-        page_button("download-photo-png", "export.photo.png"),
-    ];
     group(
         "export.photo",
         GroupLook::Titled,
         vec![
-            group("export.photo.formats", GroupLook::Row, buttons),
+            page_button("download-photo-png", "export.photo.png"),
             text("export.photo.help", Some(about), Tone::Status),
         ],
     )
@@ -186,26 +181,10 @@ fn other_formats(session: &Session) -> Widget {
 }
 
 /// Pictures of the view.
-fn pictures(session: &Session) -> [Widget; 4] {
+fn pictures(session: &Session) -> [Widget; 2] {
     let abilities = session.files.abilities;
     [
         check("export.transparent", session.is_transparent(), Intent::Transparent),
-        group(
-            "export.pictures",
-            GroupLook::Row,
-            vec![
-                page_button("download-picture", "export.picture"),
-                page_button("copy-picture", "export.copy").hidden(!abilities.copies_pictures),
-            ],
-        ),
-        group(
-            "export.pairs",
-            GroupLook::Row,
-            vec![
-                page_button("download-pair", "pair.save"),
-                page_button("share-pair", "pair.share").hidden(!abilities.shares_pictures),
-            ],
-        ),
-        slot("export.clip"),
+        page_button("copy-picture", "export.copy").hidden(!abilities.copies_pictures),
     ]
 }

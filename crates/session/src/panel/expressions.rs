@@ -5,7 +5,10 @@ use super::name::word;
 use super::widget::{GroupLook, Widget};
 use super::{PER_CENT, Phrase};
 use crate::message::value::switched;
-use crate::{Intent, Range, Session};
+use crate::{Intent, Look, OpenFace, Range, Session};
+
+/// Difference below which two weights are the same.
+const SAME_WEIGHT: f64 = 0.005;
 
 const WEIGHT: Range = Range { min: 0.0, max: PER_CENT, step: 1.0, neutral: 0.0 };
 
@@ -22,8 +25,22 @@ const AREAS: [(&str, &[&str]); 5] = [
 const SIDEWAYS: [Expression; 4] =
     [Expression::JawLeft, Expression::JawRight, Expression::MouthLeft, Expression::MouthRight];
 
-/// Expression sliders, by area of the face.
+/// Ready-made looks, and a slider for each expression.
 pub(super) fn section(session: &Session) -> Widget {
+    let weights = session.face().map(OpenFace::weights).unwrap_or([0.0; Expression::ALL.len()]);
+    let looks = Look::ALL.map(|look| chip(look, &weights)).into();
+    let widgets = vec![group("looks", GroupLook::Chips, looks), group("expressions.all", GroupLook::Fold, all(session))];
+    group("section.expressions", GroupLook::Section, widgets).on("shape").open()
+}
+
+fn chip(look: Look, weights: &[f64; Expression::ALL.len()]) -> Widget {
+    let mut pairs = weights.iter().zip(look.weights());
+    let is_on = pairs.all(|(now, of_look)| (now - of_look).abs() < SAME_WEIGHT);
+    check(format!("look.{}", look.id()), is_on, move |on| Intent::Look(on.then_some(look)))
+}
+
+/// Expression sliders, by area of the face.
+fn all(session: &Session) -> Vec<Widget> {
     let mirror = session.edit_options().mirror;
     let both = check("expressions.both", mirror == Mirror::On, |on| Intent::Mirror(switched(on)));
     let areas = AREAS.map(|(id, prefixes)| {
@@ -32,8 +49,7 @@ pub(super) fn section(session: &Session) -> Widget {
         group(id, GroupLook::Fold, sliders)
     });
     let rest = button("expressions.rest", Intent::ResetExpressions);
-    group("section.expressions", GroupLook::Section, [both].into_iter().chain(areas).chain([rest]).collect())
-        .on("shape")
+    [both].into_iter().chain(areas).chain([rest]).collect()
 }
 
 /// With the mirror, one slider controls each pair.

@@ -28,7 +28,6 @@ pub(super) fn section(session: &Session) -> Widget {
         ],
     )
     .on("shape")
-    .open()
 }
 
 fn buttons(session: &Session) -> Vec<Widget> {

@@ -24,19 +24,25 @@ pub(super) fn section(session: &Session) -> Widget {
                 .labelled("density".into())
                 .hidden(mode != SelectionMode::Point)
                 .expert(),
-            explanation(session),
             group("landmark.offset", GroupLook::Lines, offsets(session)).enabled(can_move(session)),
+            explanation(session),
             depth(session),
             session.setting("preset", Choice::Preset, ChoiceLook::Segments).expert(),
-            mirror(session),
-            help("edit.mirror.none").hidden(can_mirror(session)),
-            check("edit.nearby", session.edit_options().is_nearby, |on| Intent::Nearby(switched(on))),
-            radius(session),
-            pin(session),
+            group("landmark.more", GroupLook::Fold, options(session)),
         ],
     )
     .on("shape")
     .open()
+}
+
+fn options(session: &Session) -> Vec<Widget> {
+    vec![
+        mirror(session),
+        help("edit.mirror.none").hidden(can_mirror(session)),
+        check("edit.nearby", session.edit_options().is_nearby, |on| Intent::Nearby(switched(on))),
+        radius(session),
+        pin(session),
+    ]
 }
 
 fn region(session: &Session) -> Widget {
@@ -59,11 +65,7 @@ fn explanation(session: &Session) -> Widget {
         return text("landmark.help", Some(Phrase::word(key)), Tone::Error);
     }
     let lies_in_plane = face.is_some_and(|face| face.lies_in_plane(session.edit_options()));
-    let phrase = match lies_in_plane {
-        true => Phrase::word("landmark.in-plane"),
-        false => Phrase::word(format!("selection.{}.help", session.mode().id())),
-    };
-    text("landmark.help", Some(phrase), Tone::Help)
+    text("landmark.help", lies_in_plane.then(|| Phrase::word("landmark.in-plane")), Tone::Help)
 }
 
 fn can_move(session: &Session) -> bool {

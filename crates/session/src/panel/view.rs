@@ -30,7 +30,7 @@ pub(super) fn section(session: &Session) -> Widget {
             session.setting("lens", Choice::Lens, ChoiceLook::ByTwo),
             session.setting("triangulation", Choice::Triangulation, ChoiceLook::List),
             session.setting("density", Choice::Density, ChoiceLook::List).expert(),
-            group("light", GroupLook::Titled, light(session)),
+            group("light", GroupLook::Fold, light(session)),
             group("background", GroupLook::Row, background(view.background)),
             group(
                 "view.from",

@@ -129,6 +129,8 @@ pub enum GroupLook {
     Lines,
     /// Widgets next to each other.
     Row,
+    /// Switches as chips, in lines.
+    Chips,
 }
 
 /// Arrangement of a choice.
@@ -143,6 +145,8 @@ pub enum ChoiceLook {
     ByThree,
     /// A list that opens.
     List,
+    /// Buttons with icons, whose names are `name-value`, in one line that scrolls.
+    Icons,
 }
 
 /// Purpose of a text.

@@ -1,4 +1,4 @@
-use rosto_stage::{Glide, Light, NamedView, ShadingMode};
+use rosto_stage::{Glide, Light, NamedView, Scene, ShadingMode};
 
 use super::{Result, Session};
 use crate::error::{bounded_factor, within};
@@ -11,12 +11,16 @@ impl Session {
         // Stretch is computed with each tick, and only while it is displayed.
         let begins = intent == Intent::Shading(ShadingMode::Distortion);
         let marks_change = matches!(intent, Intent::Before(_) | Intent::Wipe(_) | Intent::MarkAnchors(_));
+        let is_photo = self.stage.scene() == Scene::Picture;
         let mut left = Changed::Nothing;
         match intent {
             Intent::Shading(paint) => self.stage.render_settings_mut().shading = paint,
             Intent::Lens(lens) => self.stage.camera_mut().set_lens(lens),
             Intent::Wireframe(wireframe) => self.view.wireframe = wireframe,
-            Intent::Background(background) => self.view.background = background,
+            Intent::Background(background) => {
+                self.view.background = background;
+                self.show_backdrop();
+            }
             Intent::Turntable(turntable) => {
                 self.view.turntable = turntable;
                 if turntable == Turntable::Turns {
@@ -38,14 +42,21 @@ impl Session {
             }
             Intent::PictureLight(light) => self.stage.render_settings_mut().picture_light = light,
             Intent::MarkAnchors(switch) => self.view.anchors = switch,
-            Intent::Orbit(by_px) if by_px.is_finite() => {
-                left = self.leave_photo();
-                self.stage.camera_mut().orbit(by_px.x, by_px.y);
+            Intent::Orbit(by_px) if by_px.is_finite() && !is_photo => self.stage.camera_mut().orbit(by_px.x, by_px.y),
+            Intent::Orbit(by_px) | Intent::Pan(by_px) if by_px.is_finite() => {
+                self.stage.camera_mut().pan(by_px.x, by_px.y);
             }
-            Intent::Pan(by_px) if by_px.is_finite() => self.stage.camera_mut().pan(by_px.x, by_px.y),
-            Intent::Zoom(factor) => {
+            Intent::ZoomAt(factor, at_px) if is_photo && at_px.is_finite() => {
+                let factor = bounded_factor(factor)?;
+                self.stage.camera_mut().zoom_at(factor, at_px);
+            }
+            Intent::Zoom(factor) | Intent::ZoomAt(factor, _) => {
                 let factor = bounded_factor(factor)?;
                 self.stage.camera_mut().zoom(factor);
+            }
+            Intent::Backdrop(backdrop) => {
+                self.view.backdrop = backdrop;
+                self.show_backdrop();
             }
             Intent::GoTo(view) => {
                 if view != NamedView::Reset {

@@ -18,6 +18,8 @@ impl Session {
             Intent::Transparent(is_transparent) => Ok(self.set_transparent(is_transparent)),
             Intent::Report(report) => Ok(self.take_report(report)),
             Intent::SymmetryShare(share) => self.set_symmetry_share(share),
+            Intent::Part(part) => Ok(self.set_shape_part(part)),
+            Intent::Look(look) => self.set_look(look),
             Intent::StartTape => Ok(self.start_tape()),
             Intent::Mode(mode) => self.set_mode(mode),
             Intent::Select(selection) => self.select(selection),

@@ -8,7 +8,7 @@ use crate::error::within;
 use crate::gesture::{Gesture, Hovered};
 use crate::open_face::{MAX_OFFSET_M, MIN_MM, MM_PER_M, OpenFace};
 use crate::saved::MAX_SHOWN_DENSITY;
-use crate::{Changed, EditOptions, SessionError};
+use crate::{Changed, EditOptions, Look, SessionError};
 
 fn check_offset(offset_mm: DVec3) -> Result<(), SessionError> {
     let max_mm = MAX_OFFSET_M * MM_PER_M;
@@ -60,6 +60,13 @@ impl Session {
         }
         face.express(expression, to, &self.edit_options)?;
         Ok(if is_current { Changed::Tick } else { Changed::Document })
+    }
+
+    pub(super) fn set_look(&mut self, look: Option<Look>) -> Result {
+        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
+        face.set_weights(&look.map(Look::weights).unwrap_or([0.0; Expression::ALL.len()]), &self.edit_options)?;
+        self.gesture = Gesture::Idle;
+        Ok(Changed::Document)
     }
 
     pub(super) fn reset_expressions(&mut self) -> Result {

@@ -12,7 +12,7 @@ use tsify::Tsify;
 use crate::drag::Pace;
 use crate::files::Report;
 use crate::message::value;
-use crate::{AnchorChoice, Motion, Preset, Selection, SelectionMode, TextureSource, Turntable};
+use crate::{AnchorChoice, Look, Motion, Preset, Selection, SelectionMode, ShapePart, TextureSource, Turntable};
 
 /// A user action, and the message of the page for it. Positions are in device pixels from the top left of the canvas.
 /// Values are absolute, so that a repeated intent changes nothing; only pointer movements are relative.
@@ -202,6 +202,18 @@ pub enum Intent {
     Report(Report),
     /// Sets the share that the panel offers for `Symmetrise`.
     SymmetryShare(f64),
+    /// Shows the controls of a part of the face.
+    Part(
+        #[serde(deserialize_with = "value::id")]
+        #[tsify(type = "string")]
+        ShapePart,
+    ),
+    /// Sets all expressions to those of a look, or to none, as one change.
+    Look(
+        #[serde(deserialize_with = "value::maybe_id")]
+        #[tsify(type = "string | undefined")]
+        Option<Look>,
+    ),
     /// Starts the measuring tape at the selection.
     StartTape,
     /// Moves both sides towards symmetry; a share of 1 makes them mirror images.
@@ -232,7 +244,7 @@ pub enum Intent {
         Triangulation,
     ),
 
-    /// Shows the photo or the 3D face. Orbiting the photo switches to the 3D face.
+    /// Shows the photo or the 3D face.
     Scene(
         #[serde(deserialize_with = "value::id")]
         #[tsify(type = "string")]
@@ -335,7 +347,7 @@ pub enum Intent {
         #[tsify(type = "string")]
         Lens,
     ),
-    /// Orbits the view by a pointer movement in px.
+    /// Orbits the 3D face, or pans the photo, by a pointer movement in px.
     Orbit(
         #[serde(deserialize_with = "value::point")]
         #[tsify(type = "[number, number]")]
@@ -349,6 +361,13 @@ pub enum Intent {
     ),
     /// Zooms by a factor; above 1 enlarges.
     Zoom(f64),
+    /// Zooms by a factor at a position: the photo about it, the 3D face about its centre.
+    ZoomAt(
+        f64,
+        #[serde(deserialize_with = "value::point")]
+        #[tsify(type = "[number, number]")]
+        DVec2,
+    ),
     /// Goes to a named view.
     GoTo(
         #[serde(deserialize_with = "value::id")]
@@ -359,26 +378,34 @@ pub enum Intent {
     Resize([u32; 2], f64),
     /// Sets the viewport insets in px: top, right, bottom, left. The face is framed in the remaining area.
     ViewportInsets([f64; 4]),
+    /// Shows the photo, dimmed, behind the 3D face until the face turns.
+    Backdrop(
+        #[serde(deserialize_with = "value::flag")]
+        #[tsify(type = "boolean")]
+        Visibility,
+    ),
 }
 
 impl Intent {
-    /// Whether the intent ends the idle rotation that follows the opening of a face.
-    pub(crate) fn ends_idle_rotation(&self) -> bool {
+    /// Whether the user works at the selection, so that its marks are shown.
+    pub(crate) fn uses_tools(&self) -> bool {
         matches!(
             self,
             Self::Press(..)
-                | Self::Orbit(_)
-                | Self::Pan(_)
-                | Self::Zoom(_)
-                | Self::GoTo(_)
-                | Self::Lens(_)
-                | Self::Scene(_)
-                | Self::Brush(_)
-                | Self::ShowDepth
+                | Self::Drag(..)
+                | Self::Along(_)
+                | Self::Release
+                | Self::PointAt(_)
+                | Self::Mode(_)
+                | Self::Select(_)
+                | Self::SelectAt(_)
+                | Self::SelectUnder(_)
+                | Self::Pin(_)
+                | Self::PinUnder(_)
+                | Self::Radius(_)
                 | Self::Offset(_)
-                | Self::Slide(..)
-                | Self::Express(..)
-                | Self::Turntable(_)
+                | Self::Commit
+                | Self::Cancel
         )
     }
 }

@@ -28,6 +28,7 @@ impl Session {
         }
         let pose_fit = pose_fit(face, landmarks, size_px)?;
         self.live_preview.get_or_insert_default().set_frame(landmarks, size_px);
+        self.show_backdrop();
         self.show_live_preview(pose_fit);
         Ok(())
     }
@@ -59,6 +60,7 @@ impl Session {
     pub fn end_live_preview(&mut self) {
         if self.live_preview.take().is_some() {
             self.stage.camera_mut().set_sides(Sides::True);
+            self.show_backdrop();
             self.show_pinhole();
         }
     }

@@ -19,6 +19,7 @@ impl Session {
         (self.gesture, self.hovered, self.brush_px) = (Gesture::Idle, Hovered::default(), None);
         self.panel = self.panel.for_another_face();
         self.view.show_on(&mut self.stage, false);
+        self.show_backdrop();
         self.see_as_edited();
         self.frame_in_photo();
         self.stage.show(self.view.scene);

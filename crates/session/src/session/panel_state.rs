@@ -2,11 +2,16 @@ use super::Session;
 use crate::changed::Changed;
 use crate::error::{SessionError, within};
 use crate::open_face::OpenFace;
+use crate::ShapePart;
 use crate::panel_state::Tape;
 
 impl Session {
     pub(crate) fn is_expert(&self) -> bool {
         self.panel.is_expert
+    }
+
+    pub(crate) fn shape_part(&self) -> ShapePart {
+        self.panel.part
     }
 
     pub(crate) fn symmetry_share(&self) -> f64 {
@@ -20,6 +25,19 @@ impl Session {
     pub(crate) fn set_expert(&mut self, is_expert: bool) -> Changed {
         self.panel.is_expert = is_expert;
         Changed::Document
+    }
+
+    pub(crate) fn set_shape_part(&mut self, part: ShapePart) -> Changed {
+        self.panel.part = part;
+        Changed::View
+    }
+
+    /// Shows the controls of the part in which the selection lies, unless points are moved by hand.
+    pub(crate) fn show_selected_part(&mut self) {
+        let Some(selection) = self.face().and_then(OpenFace::selection) else { return };
+        if self.panel.part != ShapePart::Point {
+            self.panel.part = selection.part();
+        }
     }
 
     pub(crate) fn set_symmetry_share(&mut self, share: f64) -> Result<Changed, SessionError> {

@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_face::{Camera, DISTANCES_M};
-use rosto_stage::{NamedView, PicturePlane, Pinhole, Scene};
+use rosto_stage::{Background, NamedView, PicturePlane, Pinhole, Scene, Visibility};
 use rosto_studio::{DEFAULT_FALLOFF_BAND, FALLOFF_BAND_SHARES};
 use rosto_warp::Dab;
 
@@ -57,25 +57,23 @@ impl Session {
         if self.face.is_some() {
             self.stage.show(self.view.scene);
         }
-        self.end_scene_change();
-    }
-
-    fn end_scene_change(&mut self) {
         if self.view.motion == Motion::Reduced {
             self.stage.settle_picture();
         }
-        self.keep_in_frame();
     }
 
-    /// Switches from the photo to the 3D face at its orientation.
+    /// Switches from the photo to the 3D face.
     pub(super) fn leave_photo(&mut self) -> Changed {
-        if self.face.is_some() && self.view.scene == Scene::Picture {
-            (self.view.scene, self.brush_px) = (Scene::Solid, None);
-            self.stage.turn_out_of_picture();
-            self.end_scene_change();
-            return Changed::Document;
+        match self.view.scene {
+            Scene::Picture if self.face.is_some() => self.set_scene(Scene::Solid),
+            _ => Changed::Nothing,
         }
-        Changed::Nothing
+    }
+
+    /// Shows the photo behind the 3D face, unless the background has a colour or a camera stream replaces the photo.
+    pub(super) fn show_backdrop(&mut self) {
+        let is_free = self.view.background == Background::Ground && self.live_preview.is_none();
+        self.stage.set_backdrop(if is_free { self.view.backdrop } else { Visibility::Hidden });
     }
 
     pub(super) fn set_falloff_band(&mut self, falloff_band: f64) -> Result {

@@ -6,14 +6,20 @@ use super::{Result, Session};
 use crate::drag::{Drag, Pace};
 use crate::gesture::{self, Gesture, Hovered};
 use crate::open_face::{MM_PER_M, OpenFace};
-use crate::{Changed, Selection, SessionError};
+use crate::{Changed, Intent, Selection, SessionError};
 
 /// Sideways drags of a midline point below this length, in CSS px, stay in the mirror plane.
 const STICKS_PX: f64 = 10.0;
 
 /// Hovering and dragging.
 impl Session {
+    /// Whether an intent moves the pointer over the canvas, rather than the face under it.
+    pub(super) fn moves_pointer(&self, intent: &Intent) -> bool {
+        matches!(intent, Intent::Hover(position_px) if position_px.is_some() && *position_px != self.pointer_px)
+    }
+
     pub(super) fn hover(&mut self, position_px: Option<DVec2>) -> Changed {
+        self.pointer_px = position_px;
         // The brush does not select.
         let position_px = position_px.filter(|_| self.brush_px.is_none());
         let hovered = position_px.map_or(Hovered::default(), |position_px| self.hit_at(position_px, Pointer::Fine));
@@ -105,7 +111,8 @@ impl Session {
         }
         let face = self.open_face()?;
         let start_m = face.document().committed().get(vertex as usize).copied().unwrap_or_default();
-        let drag = Drag::new(start_m, face.committed_mm(), from_px);
+        let limit_mm = face.selection().filter(|_| !self.is_expert()).map(|selection| selection.spread_mm());
+        let drag = Drag::new(start_m, face.committed_mm(), from_px).limited(limit_mm);
         self.gesture = Gesture::Dragging { drag, axis, to_px: from_px, pace: Pace::Usual, is_at_end: false };
         self.stage.set_pointer(None);
         self.set_hovered(Hovered::default());
@@ -139,6 +146,7 @@ impl Session {
         if axis != Some(Axis::X) && offset_mm.x.abs() < sticks_mm && face.lies_in_plane(&self.edit_options) {
             offset_mm.x = 0.0;
         }
+        let offset_mm = drag.resisted(offset_mm, pace);
         offset_mm.is_finite().then(|| drag.within_sliders(face.offset_for(offset_mm)))
     }
 

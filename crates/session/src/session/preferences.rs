@@ -68,7 +68,8 @@ impl Session {
     }
 }
 
-/// Reads the preferences. Motion is taken from `now`, because it is a setting of the user's system.
+/// Reads the preferences. Motion and backdrop are taken from `now`: the first is
+/// a setting of the user's system, the second depends on the window.
 pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> {
     let missing = |field| SessionError::Preferences { field };
     let value: Value = serde_json::from_str(text).map_err(|_| missing("JSON"))?;
@@ -104,6 +105,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         triangulation: named(&value, "triangulation", Triangulation::from_id)?,
         density: density.ok_or(missing("density"))? as u32,
         anchors: if flag("anchors_marked")? { Switch::On } else { Switch::Off },
+        backdrop: now.backdrop,
         motion: now.motion,
     };
     Ok(Preferences {

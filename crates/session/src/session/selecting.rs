@@ -40,6 +40,7 @@ impl Session {
         face.commit(&self.edit_options);
         face.select(selection, &self.edit_options, self.seeds.draw());
         self.gesture = Gesture::Idle;
+        self.show_selected_part();
         Ok(Changed::Document)
     }
 

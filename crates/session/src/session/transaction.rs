@@ -10,6 +10,7 @@ impl Session {
         let face = self.face.as_ref();
         match intent {
             Intent::Preset(_)
+            | Intent::Look(_)
             | Intent::Symmetrise(_)
             | Intent::Density(_)
             | Intent::PhotoLens(_)

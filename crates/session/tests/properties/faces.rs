@@ -33,9 +33,10 @@ pub fn with_history(history: &str, triangulation: Triangulation, density: u32) -
     SavedFace { photos: vec![detected()], edits: Some(edits) }
 }
 
-/// A session with a face, on a canvas of 800 × 600 px, with reduced motion.
+/// A session with a face, on a canvas of 800 × 600 px, with reduced motion, that selects landmarks.
 pub fn session() -> Session {
     let mut session = Session::new(7);
+    session.apply(Intent::Mode(rosto_session::SelectionMode::Landmark)).unwrap();
     session.apply(Intent::Motion(rosto_session::Motion::Reduced)).unwrap();
     session.apply(Intent::Resize(SIZE_PX, 1.0)).unwrap();
     open(&mut session, found(detected()));

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use rosto_face::{PhotoLens, Region, Triangulation};
-use rosto_session::{AnchorChoice, Intent, Pace, Preset, Selection, SelectionMode, Turntable};
+use rosto_session::{AnchorChoice, Intent, Look, Pace, Preset, Selection, SelectionMode, ShapePart, Turntable};
 use rosto_stage::{
     Axis, Background, Dots, Lens, Light, NamedView, PictureLight, Pointer, Scene, ShadingMode, Srgb, Theme, Visibility,
 };
@@ -78,6 +78,7 @@ fn moving() -> impl Strategy<Value = Intent> {
         1 => (any_of(&FaceSlider::ALL), number()).prop_map(|(slider, to_mm)| Intent::Slide(slider, to_mm)),
         3 => (any_of(&Expression::ALL), 0.0..1.0).prop_map(|(expression, to)| Intent::Express(expression, to)),
         1 => (any_of(&Expression::ALL), number()).prop_map(|(expression, to)| Intent::Express(expression, to)),
+        1 => prop::option::of(any_of(&Look::ALL)).prop_map(Intent::Look),
         3 => Just(Intent::Commit),
         1 => Just(Intent::Cancel),
     ]
@@ -147,6 +148,9 @@ fn seeing() -> impl Strategy<Value = Intent> {
         by_px().prop_map(Intent::Orbit),
         by_px().prop_map(Intent::Pan),
         number().prop_map(Intent::Zoom),
+        (number(), by_px()).prop_map(|(factor, at_px)| Intent::ZoomAt(factor, at_px)),
+        any_of(&[Visibility::Shown, Visibility::Hidden]).prop_map(Intent::Backdrop),
+        any_of(&ShapePart::ALL).prop_map(Intent::Part),
         any_of(&[NamedView::Front, NamedView::Left, NamedView::Top, NamedView::Reset]).prop_map(Intent::GoTo),
         (0..3_000u32, 0..3_000u32, number()).prop_map(|(width, height, ratio)| Intent::Resize([width, height], ratio)),
         Just(Intent::Resize(SIZE_PX, 1.0)),

@@ -2,6 +2,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DMat3, DVec3};
 
+/// Angles, in radians, at which a turn begins to hide the picture behind the mesh, and at which it has hidden it.
+const NEAR: f64 = 0.05;
+const FAR: f64 = 0.5;
+
 /// Viewing direction as angles in radians.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Facing {
@@ -38,6 +42,18 @@ impl Facing {
     pub fn nearest_to(&self, other: &Self) -> Self {
         let near = |angle: f64, to: f64| angle + ((to - angle) / TAU).round() * TAU;
         Self { azimuth: near(self.azimuth, other.azimuth), roll: near(self.roll, other.roll), ..*self }
+    }
+
+    /// Turned around the upright axis.
+    pub fn turned(self, radians: f64) -> Self {
+        Self { azimuth: self.azimuth + radians, ..self }
+    }
+
+    /// Whether another direction is turned away from this one: 0 up to [`NEAR`], 1 from [`FAR`], smooth in between.
+    pub fn turned_share(&self, other: &Self) -> f64 {
+        let cosine = self.axes().z_axis.dot(other.axes().z_axis).clamp(-1.0, 1.0);
+        let share = ((cosine.acos() - NEAR) / (FAR - NEAR)).clamp(0.0, 1.0);
+        share * share * (3.0 - 2.0 * share)
     }
 
     pub fn is_near(&self, other: &Self) -> bool {

@@ -1,36 +1,34 @@
 use glam::DVec2;
 
 use super::pose::Pose;
-use super::{Camera, Facing, NamedView, Sides};
+use super::{Camera, NamedView, Sides};
 use crate::PicturePlane;
 
-/// Minimum share of the visible area that the mesh fills, even if the picture is cropped.
-const MIN_SHARE: f64 = 0.5;
+/// Minimum share of the visible area that the mesh fills, even if the picture is cropped: a head with its shoulders.
+const MIN_SHARE: f64 = 0.6;
 
 /// Framing of the picture taken of the mesh.
 impl Camera {
-    /// Glides to the pinhole's pose and frames its picture.
-    pub fn frame_picture(&mut self, picture: PicturePlane) {
-        if self.framed != Some(picture) {
-            self.framed = Some(picture);
+    /// Frames a picture in the pinhole's pose, or the mesh in its initial view, and glides there.
+    pub fn frame_picture(&mut self, picture: Option<PicturePlane>) {
+        if self.framed != picture {
+            self.framed = picture;
             self.look(NamedView::Reset);
         }
     }
 
-    /// Frames the mesh again in its initial view.
+    /// Frames the mesh alone at once, from the current direction.
     pub fn leave_picture(&mut self) {
         if self.framed.take().is_some() {
-            self.look(NamedView::Reset);
+            self.goal = Pose { facing: self.now.facing, eye: self.now.eye, ..self.home() };
+            self.now = self.goal;
         }
     }
 
-    /// Frames the mesh again from the current direction.
-    pub fn turn_out_of_picture(&mut self) {
-        let facing = self.goal.facing;
-        self.leave_picture();
-        if self.lens_pose().1.is_none() {
-            self.goal.facing = Facing { roll: 0.0, ..facing };
-        }
+    /// How far the mesh is turned out of the pinhole's pose, which its picture shows: 0..1. 1 without a picture.
+    pub fn turned_out(&self) -> f64 {
+        let taken = self.framed.and_then(|_| self.lens_pose().1);
+        taken.map_or(1.0, |taken| taken.turned_share(&self.now.facing))
     }
 
     /// Sets the view between the pinhole's (`share` 0) and the goal (1), without a glide.

@@ -105,10 +105,9 @@ impl Camera {
         goal.eye.relative_distance(self.view_m(goal.target_m).z) / self.px_per_m(goal, self.visible_area)
     }
 
-    /// Current direction, with the additional rotation.
+    /// Current direction.
     pub(super) fn facing(&self) -> Facing {
-        let facing = self.now.facing;
-        Facing { azimuth: facing.azimuth + self.sway, ..facing }
+        self.now.facing
     }
 
     /// Mirrors about the centre of the visible area.

@@ -47,6 +47,8 @@ pub struct FrameUniforms {
     picture_height_px: f32,
     picture_down_m: [f32; 3],
     swapped: f32,
+    tools: f32,
+    unused: [f32; 3],
 }
 
 /// Value for "no vertex" in shaders.
@@ -90,7 +92,7 @@ impl Stage {
             viewport_px: camera.size_px().as_vec2().to_array(),
             pointer_px: self.pointer_px.unwrap_or(DVec2::splat(-1e6)).as_vec2().to_array(),
             ink: palette.ink.with_alpha(palette.ink_alpha),
-            halo: palette.halo.with_alpha(palette.shadow_alpha),
+            halo: palette.halo.with_alpha(palette.shadow_alpha * (1.0 - self.backdrop_share()) as f32),
             accent: palette.accent.with_alpha(1.0),
             ground_top: palette.ground_top.with_alpha(1.0),
             ground_bottom: palette.ground_bottom.with_alpha(1.0),
@@ -101,13 +103,15 @@ impl Stage {
             rim: f32::from(settings.rim as u8),
             mirror_plane: f32::from(settings.mirror_plane as u8),
             pixel_ratio: self.pixel_ratio as f32,
-            picture: self.picture_share as f32,
+            picture: self.picture_opacity() as f32,
             picture_origin_m: picture.origin_m.as_vec3().to_array(),
             picture_width_px: picture.size_px.x as f32,
             picture_right_m: picture.right_m.as_vec3().to_array(),
             picture_height_px: picture.size_px.y as f32,
             picture_down_m: picture.down_m.as_vec3().to_array(),
             swapped: f32::from(u8::from(camera.sides() == Sides::Swapped)),
+            tools: self.tools_opacity() as f32,
+            unused: [0.0; 3],
         }
     }
 }

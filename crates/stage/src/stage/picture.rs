@@ -1,10 +1,13 @@
 use glam::DVec2;
 
 use super::Stage;
-use crate::{PicturePlane, Pinhole, Scene};
+use crate::{NamedView, PicturePlane, Pinhole, Scene, Visibility};
 
 /// Duration of the picture's fade.
 const FADE_MS: f64 = 300.0;
+
+/// Opacity of the picture behind the mesh.
+pub(super) const BACKDROP_OPACITY: f64 = 0.45;
 
 /// The picture taken of the mesh.
 impl Stage {
@@ -13,10 +16,15 @@ impl Stage {
         if self.picture != picture {
             self.picture = picture;
             self.changed = true;
-            match picture {
-                Some(plane) if self.scene == Scene::Picture => self.camera.frame_picture(plane),
-                _ => self.show(Scene::Solid),
-            }
+            self.show(if picture.is_some() { self.scene } else { Scene::Solid });
+        }
+    }
+
+    /// Shows the picture behind the mesh, dimmed, while the mesh is near the pinhole's pose; frames them together.
+    pub fn set_backdrop(&mut self, backdrop: Visibility) {
+        if self.backdrop != backdrop {
+            self.backdrop = backdrop;
+            self.show(self.scene);
         }
     }
 
@@ -33,27 +41,30 @@ impl Stage {
 
     /// Shows the picture or the mesh in its initial view, with a glide and a fade. Without a picture, shows the mesh.
     pub fn show(&mut self, scene: Scene) {
-        match self.picture.filter(|_| scene == Scene::Picture) {
-            Some(picture) => {
-                self.scene = scene;
-                self.camera_mut().frame_picture(picture);
-            }
-            None => {
-                self.scene = Scene::Solid;
-                self.camera_mut().leave_picture();
-            }
+        let is_another = self.scene != scene;
+        self.scene = if self.picture.is_some() { scene } else { Scene::Solid };
+        let framed = self.picture.filter(|_| self.scene == Scene::Picture || self.backdrop == Visibility::Shown);
+        self.camera_mut().frame_picture(framed);
+        // The picture has one direction, whichever the mesh was seen from.
+        if is_another {
+            self.camera.look(NamedView::Reset);
         }
     }
 
-    /// Hides the picture and keeps the direction of the mesh.
-    pub fn turn_out_of_picture(&mut self) {
-        self.scene = Scene::Solid;
-        self.camera_mut().turn_out_of_picture();
-    }
-
-    /// Opacity of the picture, 0..1.
+    /// Share of the picture over the mesh, 0..1.
     pub fn picture_share(&self) -> f64 {
         self.picture_share
+    }
+
+    /// Opacity of the picture, over the mesh or behind it, 0..1.
+    pub fn picture_opacity(&self) -> f64 {
+        self.picture_share + (1.0 - self.picture_share) * BACKDROP_OPACITY * self.backdrop_share()
+    }
+
+    /// Visibility of the picture behind the mesh, 0..1.
+    pub(super) fn backdrop_share(&self) -> f64 {
+        let is_shown = self.backdrop == Visibility::Shown && self.picture.is_some();
+        if is_shown { 1.0 - self.camera.turned_out() } else { 0.0 }
     }
 
     /// Position in the picture under a position on the canvas, in px; `None` outside the picture.

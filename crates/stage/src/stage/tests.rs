@@ -1,3 +1,4 @@
+use super::picture::BACKDROP_OPACITY;
 use super::*;
 use crate::{Glide, MarkKind, NamedView, PicturePlane, Pinhole, Scene};
 
@@ -95,7 +96,7 @@ fn the_picture_fits_the_visible_area() {
 }
 
 #[test]
-fn a_mesh_that_is_small_in_its_picture_fills_half_the_view() {
+fn a_mesh_that_is_small_in_its_picture_fills_much_of_the_view() {
     let mut stage = with_picture();
     let large = PicturePlane {
         origin_m: DVec3::new(-3.0, 19.0, 0.0),
@@ -108,89 +109,79 @@ fn a_mesh_that_is_small_in_its_picture_fills_half_the_view() {
     run(&mut stage, 0..300);
     let at = |x: f64, y: f64| stage.camera().project(DVec3::new(x, y, 0.0)).unwrap();
     let height_px = at(0.0, -1.0).y - at(0.0, 1.0).y;
-    assert!((80.0..140.0).contains(&height_px), "{height_px} of 400 px");
+    assert!((100.0..160.0).contains(&height_px), "{height_px} of 400 px");
     let corners = (large.at(DVec2::ZERO), large.at(large.size_px));
     let (low, high) = (at(corners.0.x, corners.0.y), at(corners.1.x, corners.1.y));
     assert!(low.x <= 0.1 && low.y <= 0.1 && high.x >= 599.9 && high.y >= 399.9, "{low} to {high}");
 }
 
 #[test]
-fn turning_out_of_the_picture_keeps_the_direction() {
+fn the_picture_is_seen_behind_the_mesh_until_it_turns() {
+    let mut stage = with_picture();
+    stage.set_backdrop(Visibility::Shown);
+    run(&mut stage, 0..200);
+    let (place, home) = (stage.camera().project(DVec3::ZERO).unwrap(), stage.picture_opacity());
+    assert_eq!((stage.scene(), stage.picture_share(), home), (Scene::Solid, 0.0, BACKDROP_OPACITY));
+    let opacity_after = |stage: &mut Stage, by_px: f64, frames| {
+        stage.camera_mut().orbit(by_px, 0.0);
+        run(stage, frames);
+        stage.picture_opacity()
+    };
+    let turned = opacity_after(&mut stage, 30.0, 200..400);
+    assert!(turned > 0.0 && turned < home, "{turned}");
+    assert_eq!(opacity_after(&mut stage, 100.0, 400..600), 0.0);
+    let moved_px = stage.camera().project(DVec3::ZERO).unwrap().distance(place);
+    assert!(moved_px < 1e-6, "the mesh turns in its place: {moved_px} px");
+    stage.show(Scene::Picture);
+    run(&mut stage, 600..800);
+    assert_eq!(stage.picture_opacity(), 1.0);
+    assert!(stage.camera().back().distance(DVec3::Z) < 1e-4, "the picture has one direction");
+    stage.set_picture(None);
+    run(&mut stage, 800..900);
+    assert_eq!((stage.scene(), stage.picture_opacity()), (Scene::Solid, 0.0), "without a picture");
+}
+
+#[test]
+fn mesh_and_picture_share_their_framing() {
+    let mut stage = with_picture();
+    stage.set_backdrop(Visibility::Shown);
+    run(&mut stage, 0..200);
+    let in_front = stage.camera().clip_from_model();
+    stage.show(Scene::Picture);
+    run(&mut stage, 200..400);
+    assert_eq!(stage.camera().clip_from_model(), in_front);
+}
+
+#[test]
+fn the_picture_zooms_about_the_pointer() {
     let mut stage = with_picture();
     stage.show(Scene::Picture);
     run(&mut stage, 0..200);
-    stage.turn_out_of_picture();
-    stage.camera_mut().orbit(100.0, 0.0);
-    let steps = run(&mut stage, 200..400);
-    assert!(steps[0].draw && !steps[199].again);
-    assert_eq!(stage.picture_share(), 0.0);
-    let facing = stage.camera().back();
-    assert!(facing.x < -0.5, "{facing}");
-    stage.show(Scene::Picture);
-    stage.set_picture(None);
-    assert_eq!(stage.scene(), Scene::Solid, "without a picture");
+    let (point_m, factor) = (DVec3::new(0.5, 0.25, 0.0), 1.7);
+    let at_px = stage.camera().project(point_m).unwrap();
+    stage.camera_mut().zoom_at(factor, at_px);
+    run(&mut stage, 200..400);
+    let now_px = stage.camera().project(point_m).unwrap();
+    assert!(now_px.distance(at_px) < 1e-2, "{now_px} instead of {at_px}");
 }
 
 #[test]
-fn the_swing_returns_and_can_be_ended() {
-    let arrive = |frames: std::ops::Range<u32>, stage: &mut Stage| {
-        frames.map(|frame| (stage.advance(1000.0 + f64::from(frame) * 16.0).again, stage.camera().back().x)).last()
-    };
-    let mut undisturbed = with_picture();
-    undisturbed.start_arrival();
-    let (_, turned) = arrive(0..96, &mut undisturbed).unwrap();
-    assert!(turned.abs() > 0.2, "{turned}");
-    let (again, turned) = arrive(96..170, &mut undisturbed).unwrap();
-    assert!(!again && turned.abs() < 1e-9, "{turned}");
-    let mut ended = with_picture();
-    ended.start_arrival();
-    arrive(0..96, &mut ended);
-    ended.end_swing();
-    let (again, turned) = arrive(96..128, &mut ended).unwrap();
-    assert!(turned.abs() < 1e-2 && again, "it glides back: {turned}");
-}
-
-#[test]
-fn slow_frames_do_not_skip_the_swing() {
-    let mut stage = with_picture();
-    stage.start_arrival();
-    let mut turned = 0.0_f64;
-    let mut time_ms = 1000.0;
-    while stage.advance(time_ms).again {
-        turned = turned.max(stage.camera().back().x.abs());
-        time_ms += 1000.0;
+fn tools_fade_one_second_after_their_last_use() {
+    for (glide, fade_ms) in [(Glide::Smooth, 200.0), (Glide::Off, 0.0)] {
+        let mut stage = settled();
+        stage.camera_mut().set_glide(glide);
+        assert_eq!(stage.tools_opacity(), 0.0);
+        stage.use_tools(true);
+        stage.advance(0.0);
+        assert_eq!((stage.advance(5000.0).again, stage.tools_opacity()), (false, 1.0), "held");
+        stage.use_tools(false);
+        stage.advance(6000.0);
+        let Step { draw, again } = stage.advance(6990.0);
+        assert_eq!((draw, again, stage.tools_opacity()), (false, true, 1.0), "waits without drawing");
+        while stage.advance(stage.last_ms.unwrap_or(7000.0) + 16.0).again {}
+        let after_ms = 6990.0 + 16.0 + fade_ms + 32.0;
+        assert_eq!((stage.advance(after_ms).again, stage.tools_opacity()), (false, 0.0), "{after_ms} ms");
     }
-    assert!(turned > 0.2, "{turned}");
-    assert!(stage.camera().back().x.abs() < 1e-9 && time_ms < 30e3, "{} after {time_ms} ms", stage.camera().back());
-}
-
-#[test]
-fn a_named_view_is_reached_from_within_the_swing() {
-    let mut stage = with_picture();
-    stage.start_arrival();
-    for frame in 0..96 {
-        stage.advance(1000.0 + f64::from(frame) * 16.0);
-    }
-    stage.camera_mut().look(NamedView::Left);
-    stage.end_swing();
-    while stage.advance(stage.last_ms.unwrap_or_default() + 16.0).again {}
-    assert!(stage.camera().back().distance(DVec3::X) < 1e-9, "{}", stage.camera().back());
-}
-
-#[test]
-fn the_framing_follows_growth_but_not_shrinking() {
-    let mut stage = settled();
-    let square = |side: f64| [DVec3::splat(-side), DVec3::splat(side)];
-    stage.frame(&square(1.0));
-    let initial_m = stage.camera().radius_m();
-    stage.reframe(&square(1.3));
-    assert!((stage.camera().radius_m() / initial_m - 1.3).abs() < 1e-12);
-    for side in [1.0, 0.5] {
-        stage.reframe(&square(side));
-        assert!((stage.camera().radius_m() / initial_m - 1.0).abs() < 1e-12);
-    }
-    stage.reframe(&[DVec3::NAN]);
-    assert!(stage.camera().radius_m().is_finite());
 }
 
 #[test]
@@ -218,6 +209,8 @@ fn the_gizmo_is_picked_at_its_vertex() {
     let pick = |stage: &Stage| stage.pick_axis(right_of_middle, &positions_m, Pointer::Fine);
     assert_eq!(pick(&stage), None, "no gizmo");
     stage.set_gizmo(Some(1));
+    assert_eq!(pick(&stage), None, "faded");
+    stage.use_tools(true);
     assert_eq!(pick(&stage), Some(Axis::X));
     stage.set_gizmo(Some(2));
     assert_eq!(pick(&stage), None, "vertex out of range");

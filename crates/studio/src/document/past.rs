@@ -5,6 +5,7 @@ use super::editing::prepare_edit;
 use super::solved::Solved;
 use crate::level::Level;
 use crate::shape::Shape;
+use crate::slider_measures::SliderAmounts;
 use crate::{Command, EditTarget, Entry, EntryStatus, History, StudioError, Switch};
 
 /// Applying, undoing and switching commands. Entries that cannot be applied to the displayed mesh are skipped, so that
@@ -18,6 +19,19 @@ impl Document {
     /// Status of an entry on the displayed mesh; `None` if there is no such entry.
     pub fn status(&self, index: usize) -> Option<&EntryStatus> {
         self.replayed.status(index)
+    }
+
+    /// Amount of each ready-made slider that comes closest to the shape after an entry, in metres and without
+    /// expressions.
+    pub fn slider_amounts_m(&self, index: usize) -> SliderAmounts {
+        self.replayed.amounts_m(index).copied().unwrap_or_default()
+    }
+
+    /// The same for the movement of the edit in progress.
+    pub fn preview_amounts_m(&self) -> SliderAmounts {
+        let (now, before) = (self.positions(), self.committed());
+        let moved_m = |landmark: usize| Some(*now.get(landmark)? - *before.get(landmark)?);
+        self.replayed.measures().of(|landmark| moved_m(landmark).unwrap_or_default())
     }
 
     /// Applies a command as one entry of the history.

@@ -2,6 +2,7 @@ use std::sync::Arc;
 
 use crate::EntryStatus;
 use crate::shape::Shape;
+use crate::slider_measures::{SliderAmounts, SliderMeasures};
 
 /// Memory limit of the cached shapes, in bytes.
 const BUDGET_BYTES: usize = 48 << 20;
@@ -15,14 +16,24 @@ pub(super) struct ReplayCache {
     unedited: Arc<Shape>,
     after: Vec<Option<Arc<Shape>>>,
     statuses: Vec<EntryStatus>,
+    measures: SliderMeasures,
+    /// Amount of each ready-made slider in the shape after each entry.
+    amounts_m: Vec<SliderAmounts>,
     retained_bytes: usize,
     budget_bytes: usize,
 }
 
 impl ReplayCache {
     pub fn new(unedited: Shape) -> Self {
-        let (after, statuses) = (Vec::new(), Vec::new());
-        Self { unedited: Arc::new(unedited), after, statuses, retained_bytes: 0, budget_bytes: BUDGET_BYTES }
+        Self {
+            unedited: Arc::new(unedited),
+            after: Vec::new(),
+            statuses: Vec::new(),
+            measures: SliderMeasures::default(),
+            amounts_m: Vec::new(),
+            retained_bytes: 0,
+            budget_bytes: BUDGET_BYTES,
+        }
     }
 
     pub fn count(&self) -> usize {
@@ -42,7 +53,17 @@ impl ReplayCache {
         self.statuses.get(index)
     }
 
+    /// Amount of each ready-made slider in the shape after an entry.
+    pub fn amounts_m(&self, index: usize) -> Option<&SliderAmounts> {
+        self.amounts_m.get(index)
+    }
+
+    pub fn measures(&self) -> &SliderMeasures {
+        &self.measures
+    }
+
     pub fn push(&mut self, shape: Arc<Shape>, status: EntryStatus) {
+        self.amounts_m.push(self.measures.of(|landmark| shape.made_m(landmark)));
         // Shared shapes count once: an entry that changes nothing shares the shape before it.
         self.retained_bytes += if Arc::ptr_eq(&shape, self.last()) { 0 } else { shape.bytes() };
         self.after.push(Some(shape));
@@ -56,6 +77,7 @@ impl ReplayCache {
         let count = last_retained.map_or(0, |index| index + 1);
         self.after.truncate(count);
         self.statuses.truncate(count);
+        self.amounts_m.truncate(count);
         self.retained_bytes = self.count_bytes();
     }
 

@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_stage::{PicturePlane, RenderSettings, Scene};
+use rosto_stage::{PicturePlane, RenderSettings, Scene, Visibility};
 use rosto_viewport::{PhotoLayerInput, PictureOnGpu};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -74,6 +74,26 @@ async fn the_picture_follows_its_points_and_before_restores_it() {
     let before = picture(&mut screen, RenderSettings { before: 1.0, ..plain() }).await;
     assert_eq!(largest_difference(&still, &before), 0);
     assert!(screen.viewport.move_photo_layer(&[]).is_err(), "wrong number of points");
+}
+
+#[wasm_bindgen_test]
+async fn behind_the_mesh_the_picture_is_dimmed_evenly() {
+    let mut screen = with_photo_layer().await;
+    screen.viewport.show_photo_layer(Some(&PhotoLayerInput {
+        size_px: DVec2::splat(f64::from(PICTURE_PX)),
+        from_px: &[DVec2::ZERO, DVec2::new(60.0, 0.0), DVec2::new(60.0, 30.0), DVec2::new(0.0, 30.0)],
+        triangles: &[[0, 1, 2], [0, 2, 3]],
+        picture: &halves(&screen),
+    }));
+    screen.stage.show(Scene::Solid);
+    screen.stage.set_backdrop(Visibility::Shown);
+    screen.stage.settle_picture();
+    screen.stage.advance(16.0);
+    let seen = picture(&mut screen, plain()).await;
+    let (moving, still) = (seen.pixel(2, 2), seen.pixel(2, SIDE_PX - 3));
+    assert_eq!(moving, still, "the moving part hides the whole picture");
+    assert!((60..200).contains(&moving[3]), "the picture is dimmed: {moving:?}");
+    assert_eq!(seen.pixel(SIDE_PX / 2, SIDE_PX / 2)[3], 255, "the mesh is in front of it");
 }
 
 #[wasm_bindgen_test]

@@ -1,7 +1,7 @@
 use glam::DVec3;
 use rosto::{BaseColour, ExpressionsAs, Eyes, FaceMesh, FileOptions, Format, reopen};
 use rosto_face::Triangulation;
-use rosto_session::{Intent, Selection, Session};
+use rosto_session::{Intent, Look, Selection, Session};
 use rosto_studio::{Expression, Mirror, Switch, project};
 use serde_json::Value;
 
@@ -53,6 +53,27 @@ fn the_mirror_applies_expressions_to_both_sides_as_one_change() {
     assert_eq!(state(&session).entry_count, 3);
     act(&mut session, Intent::Undo);
     assert!(is_near(&session, right, 0.75) && is_near(&session, left, 0.0));
+}
+
+#[test]
+fn a_look_replaces_all_expressions_as_one_change() {
+    let mut session = session();
+    express(&mut session, Expression::JawForward, 0.5);
+    let count = state(&session).entry_count;
+    for look in Look::ALL {
+        act(&mut session, Intent::Look(Some(look)));
+        let weights = face(&session).weights();
+        assert!(weights.iter().zip(look.weights()).all(|(now, of_look)| (now - of_look).abs() < 1e-9), "{}", look.id());
+        act(&mut session, Intent::Undo);
+        assert_eq!(state(&session).entry_count, count);
+        assert!(is_near(&session, Expression::JawForward, 0.5));
+    }
+    act(&mut session, Intent::Look(Some(Look::Smile)));
+    let before = state(&session).entry_count;
+    act(&mut session, Intent::Look(Some(Look::Smile)));
+    assert_eq!(state(&session).entry_count, before, "the same look again changes nothing");
+    act(&mut session, Intent::Look(None));
+    assert!(face(&session).weights().iter().all(|weight| weight.abs() < 1e-9));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 use glam::{DQuat, DVec2, DVec3};
 use rosto_face::{Observation, crowded_landmarks};
 use rosto_session::{Changed, Intent, Pace, Selection, Session};
-use rosto_stage::{Axis, Lens, NamedView, Pointer};
+use rosto_stage::{Axis, Lens, NamedView, Pointer, Visibility};
 
 use super::{act, displacement_mm, face, position_px, positions, select};
 use crate::faces::{detected, found, open, session};
@@ -13,6 +13,8 @@ const VISIBLE: [u32; 7] = [4, 9, 105, 334, 61, 291, 199];
 
 fn with(lens: Lens) -> Session {
     let mut session = session();
+    act(&mut session, Intent::Expert(true));
+    act(&mut session, Intent::Backdrop(Visibility::Hidden));
     act(&mut session, Intent::Lens(lens));
     session.stage_mut().advance(0.0);
     session

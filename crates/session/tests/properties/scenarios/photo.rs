@@ -2,7 +2,7 @@ use glam::{DVec2, DVec3};
 use rosto::{SavedEdits, SavedFace};
 use rosto_face::{Observation, PhotoLens, crowded_landmarks};
 use rosto_session::{BRUSH_PX, Changed, Intent, Pace, Selection, Session};
-use rosto_stage::{NamedView, Pointer, Scene};
+use rosto_stage::{Background, NamedView, Pointer, Scene, Srgb, Visibility};
 use rosto_studio::FaceSlider;
 
 use super::{act, face, move_by, position_px, positions, select, state};
@@ -103,9 +103,8 @@ fn the_stage_uses_the_photos_view_distance() {
 }
 
 #[test]
-fn orbiting_and_named_views_leave_the_photo_except_for_a_reset() {
+fn only_named_views_and_turning_tools_leave_the_photo() {
     let leaving = [
-        Intent::Orbit(DVec2::new(20.0, 0.0)),
         Intent::GoTo(NamedView::Left),
         Intent::Turntable(rosto_session::Turntable::Turns),
         Intent::ShowDepth,
@@ -116,11 +115,59 @@ fn orbiting_and_named_views_leave_the_photo_except_for_a_reset() {
         assert_eq!(session.view().scene, Scene::Solid, "{intent:?}");
         assert_eq!(session.stage().scene(), Scene::Solid);
     }
-    let staying = [Intent::GoTo(NamedView::Reset), Intent::Zoom(1.5), Intent::Pan(DVec2::splat(9.0))];
+    let staying = [
+        Intent::GoTo(NamedView::Reset),
+        Intent::Zoom(1.5),
+        Intent::ZoomAt(1.5, DVec2::splat(40.0)),
+        Intent::Pan(DVec2::splat(9.0)),
+        Intent::Orbit(DVec2::new(20.0, 0.0)),
+    ];
     for intent in staying {
         let mut session = photo();
         act(&mut session, intent.clone());
         assert_eq!(session.view().scene, Scene::Picture, "{intent:?}");
+    }
+}
+
+#[test]
+fn a_drag_next_to_the_face_moves_the_photo() {
+    let by_px = DVec2::new(12.0, -7.0);
+    let moved = |intent: Intent| {
+        let mut session = photo();
+        act(&mut session, Intent::ZoomAt(2.0, DVec2::new(100.0, 80.0)));
+        session.stage_mut().advance(0.0);
+        let before = position_px(&session, NOSE_TIP);
+        act(&mut session, intent);
+        session.stage_mut().advance(0.0);
+        position_px(&session, NOSE_TIP) - before
+    };
+    assert!(moved(Intent::Orbit(by_px)).distance(by_px) < 0.5);
+    assert_eq!(moved(Intent::Orbit(by_px)), moved(Intent::Pan(by_px)));
+}
+
+#[test]
+fn the_photo_is_behind_the_face_unless_the_background_has_a_colour() {
+    let mut session = session();
+    session.stage_mut().advance(0.0);
+    let in_front = session.stage().picture_opacity();
+    assert!(in_front > 0.2 && in_front < 0.8, "{in_front}");
+    act(&mut session, Intent::Scene(Scene::Picture));
+    session.stage_mut().advance(0.0);
+    let in_photo = position_px(&session, NOSE_TIP);
+    act(&mut session, Intent::Scene(Scene::Solid));
+    session.stage_mut().advance(0.0);
+    assert!(position_px(&session, NOSE_TIP).distance(in_photo) < 1e-6, "both scenes share their framing");
+    for (hide, show) in [
+        (Intent::Background(Background::Plain(Srgb([1, 2, 3]))), Intent::Background(Background::Ground)),
+        (Intent::Backdrop(Visibility::Hidden), Intent::Backdrop(Visibility::Shown)),
+        (Intent::GoTo(NamedView::Left), Intent::GoTo(NamedView::Reset)),
+    ] {
+        act(&mut session, hide.clone());
+        session.stage_mut().advance(0.0);
+        assert_eq!(session.stage().picture_opacity(), 0.0, "{hide:?}");
+        act(&mut session, show);
+        session.stage_mut().advance(0.0);
+        assert_eq!(session.stage().picture_opacity(), in_front);
     }
 }
 

@@ -1,17 +1,24 @@
 use glam::{DVec2, DVec3};
 use rosto_face::Region;
-use rosto_session::{Changed, Intent, Pace, SLIDER_MM, Selection, SelectionMode, Session};
+use rosto_session::{Changed, Intent, Motion, Pace, SLIDER_MM, Selection, SelectionMode, Session};
 use rosto_stage::{Pointer, ShadingMode, Visibility};
 use rosto_studio::{FaceSlider, Switch};
 
-use super::{act, displacement_mm, face, position_px, positions, select, state};
-use crate::faces::{SIZE_PX, detected, found, session};
+use super::{MM_PER_M, act, displacement_mm, face, move_by, position_px, positions, select, state};
+use crate::faces::{self, SIZE_PX, detected, found, open};
 use crate::invariants::{check, shape};
-use rosto_session::Motion;
 
 const MOUTH_CORNER: u32 = 61;
 const NOSE_TIP: u32 = 1;
+const CHIN: u32 = 152;
 const BY_PX: DVec2 = DVec2::new(30.0, -20.0);
+
+/// A session without resistance to drags.
+fn session() -> Session {
+    let mut session = faces::session();
+    act(&mut session, Intent::Expert(true));
+    session
+}
 
 fn drag(session: &mut Session, to_px: DVec2) -> Changed {
     act(session, Intent::Drag(to_px, Pace::Usual))
@@ -150,7 +157,7 @@ fn a_press_grabs_the_highlighted_vertex_in_each_mode() {
                 assert!(is_grabbed, "{mode:?} at {density}, {pointer:?}, {position_px}");
                 lit_count += 1;
             }
-            assert!(lit_count > 100, "{lit_count} of {}", grid_px().count());
+            assert!(lit_count > 80, "{lit_count} of {}", grid_px().count());
         }
     }
 }
@@ -288,17 +295,70 @@ fn a_point_of_the_outline_moves_its_neighbours_and_not_the_rest() {
 }
 
 #[test]
-fn a_face_that_has_grown_is_framed_again_after_the_release() {
+fn edits_do_not_change_the_framing() {
     let mut session = session();
-    let radius_m = |session: &Session| session.stage().camera().radius_m();
-    let usual_m = radius_m(&session);
-    select(&mut session, Selection::Landmark(152));
-    act(&mut session, Intent::Offset(DVec3::NEG_Y * 40.0));
-    assert_eq!(radius_m(&session), usual_m, "the view does not move during a drag");
-    act(&mut session, Intent::Commit);
-    assert!(radius_m(&session) > 1.1 * usual_m, "{} and {usual_m}", radius_m(&session));
+    let camera = session.stage().camera().clone();
+    select(&mut session, Selection::Landmark(CHIN));
+    move_by(&mut session, DVec3::NEG_Y * 40.0);
+    for slider in FaceSlider::ALL {
+        act(&mut session, Intent::Slide(slider, slider.range_m() * MM_PER_M));
+        act(&mut session, Intent::Commit);
+    }
     act(&mut session, Intent::Undo);
-    assert!((radius_m(&session) / usual_m - 1.0).abs() < 1e-9);
+    assert_eq!(session.stage().camera(), &camera);
+}
+
+#[test]
+fn a_drag_moves_the_feature_with_resistance_and_its_slider_follows() {
+    let reached_mm = |is_expert| {
+        let mut session = Session::new(3);
+        act(&mut session, Intent::Motion(Motion::Reduced));
+        act(&mut session, Intent::Resize(SIZE_PX, 1.0));
+        open(&mut session, found(detected()));
+        act(&mut session, Intent::Expert(is_expert));
+        session.stage_mut().advance(0.0);
+        let before = positions(&session);
+        let chin_px = position_px(&session, CHIN);
+        act(&mut session, Intent::Press(chin_px, Pointer::Fine));
+        act(&mut session, Intent::Drag(chin_px + DVec2::new(0.0, 200.0), Pace::Usual));
+        let during_mm = face(&session).slider_mm(FaceSlider::ChinLength);
+        act(&mut session, Intent::Release);
+        assert_eq!(face(&session).selection(), Some(Selection::Region(Region::Chin)));
+        assert_eq!(session.panel().iter().filter(|section| section.id == "section.face").count(), 1);
+        let reached_mm = displacement_mm(&session, &before, CHIN).length();
+        let slider_mm = face(&session).slider_mm(FaceSlider::ChinLength);
+        assert!((slider_mm - reached_mm).abs() < 0.1 * reached_mm, "{slider_mm} of {reached_mm} mm");
+        assert!((slider_mm - during_mm).abs() < 1e-6, "{slider_mm} after {during_mm} mm");
+        act(&mut session, Intent::Slide(FaceSlider::ChinLength, 0.0));
+        act(&mut session, Intent::Commit);
+        assert!(face(&session).slider_mm(FaceSlider::ChinLength).abs() < 1e-9);
+        reached_mm
+    };
+    let (usual_mm, expert_mm) = (reached_mm(false), reached_mm(true));
+    let spread_mm = Region::Chin.spread_mm();
+    assert!(usual_mm > spread_mm && usual_mm < 1.5 * spread_mm, "{usual_mm} mm");
+    assert!(expert_mm > 2.0 * spread_mm, "{expert_mm} mm");
+}
+
+#[test]
+fn marks_are_shown_while_the_pointer_moves_and_fade_at_rest() {
+    let mut session = session();
+    select(&mut session, Selection::Landmark(NOSE_TIP));
+    let rest = |session: &mut Session, from_ms: f64| {
+        session.stage_mut().advance(from_ms);
+        session.stage_mut().advance(from_ms + 1001.0);
+        session.stage().tools_opacity()
+    };
+    assert_eq!((session.stage().tools_opacity(), rest(&mut session, 0.0)), (1.0, 0.0));
+    let place_px = DVec2::new(300.0, 200.0);
+    act(&mut session, Intent::Hover(Some(place_px)));
+    assert_eq!((session.stage().tools_opacity(), rest(&mut session, 2e3)), (1.0, 0.0));
+    act(&mut session, Intent::Hover(Some(place_px)));
+    assert_eq!(session.stage().tools_opacity(), 0.0, "the pointer rests");
+    act(&mut session, Intent::Offset(DVec3::Z));
+    assert_eq!(rest(&mut session, 4e3), 1.0, "an edit is in progress");
+    act(&mut session, Intent::Commit);
+    assert_eq!(rest(&mut session, 6e3), 0.0);
 }
 
 #[test]
