@@ -130,7 +130,8 @@ test("on the photo, a pinch zooms about the fingers, two fingers pan, and a doub
   assert.equal(await scene(), "picture");
 });
 
-test("on a phone, targets are at least 44 px large", async ({ editor, page }) => {
+test("on a phone, targets are at least 44 px large", async ({ editor }) => {
+  const { page } = editor;
   for (const tab of ["shape", "view", "export"]) {
     await page.click(`#tab-${tab}`);
     const small = await page.evaluate(() => {

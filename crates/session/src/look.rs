@@ -28,7 +28,9 @@ impl Look {
     pub fn weights(self) -> [f64; Expression::ALL.len()] {
         use Expression::*;
         let some: &[(Expression, f64)] = match self {
-            Self::Smile => &[(MouthSmileLeft, 0.8), (MouthSmileRight, 0.8), (CheekSquintLeft, 0.4), (CheekSquintRight, 0.4)],
+            Self::Smile => {
+                &[(MouthSmileLeft, 0.8), (MouthSmileRight, 0.8), (CheekSquintLeft, 0.4), (CheekSquintRight, 0.4)]
+            }
             Self::Wink => &[(EyeBlinkLeft, 1.0), (CheekSquintLeft, 0.5), (MouthSmileLeft, 0.5), (MouthSmileRight, 0.2)],
             Self::Surprised => &[
                 (BrowInnerUp, 0.9),

@@ -18,9 +18,9 @@ rosto_mesh::named! {
         Brows = "brows",
         /// Cheekbones, length and symmetry of the whole face.
         Face = "face",
-        /// Expressions; they have a section of their own in wide windows.
+        /// Expressions; in wide windows, a separate section.
         Expressions = "expressions",
-        /// Moving points by hand; likewise.
+        /// Moving points by hand; in wide windows, a separate section.
         Point = "point",
     }
 }

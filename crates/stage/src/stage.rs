@@ -8,8 +8,8 @@ use glam::{DVec2, DVec3};
 use crate::{Axis, Camera, Mark, PicturePlane, Pointer, RenderSettings, Scene, Visibility};
 
 use arrival::Arrival;
-use tools::Tools;
 pub use frame::FrameUniforms;
+use tools::Tools;
 
 /// Margin factor around the framed sphere.
 const MARGIN: f64 = 1.12;

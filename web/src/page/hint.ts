@@ -31,5 +31,6 @@ function write() {
   const element = byId("hint", HTMLParagraphElement);
   const suggested = isShowing ? ACTIONS.find((action) => !remembered(`did.${action}`)) : undefined;
   element.hidden = suggested === undefined;
-  if (suggested) element.textContent = t(`hint.${suggested}`);
+  if (!suggested) return;
+  [element.dataset["action"], element.textContent] = [suggested, t(`hint.${suggested}`)];
 }

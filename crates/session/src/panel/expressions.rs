@@ -29,7 +29,8 @@ const SIDEWAYS: [Expression; 4] =
 pub(super) fn section(session: &Session) -> Widget {
     let weights = session.face().map(OpenFace::weights).unwrap_or([0.0; Expression::ALL.len()]);
     let looks = Look::ALL.map(|look| chip(look, &weights)).into();
-    let widgets = vec![group("looks", GroupLook::Chips, looks), group("expressions.all", GroupLook::Fold, all(session))];
+    let widgets =
+        vec![group("looks", GroupLook::Chips, looks), group("expressions.all", GroupLook::Fold, all(session))];
     group("section.expressions", GroupLook::Section, widgets).on("shape").open()
 }
 

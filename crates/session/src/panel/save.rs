@@ -44,6 +44,7 @@ fn shows_photo(session: &Session) -> bool {
 
 /// Whether the face or its photo differs from the one that was opened.
 fn is_edited(session: &Session) -> bool {
-    let is_edited = |face: &OpenFace| !face.document().history().entries().is_empty() || face.photo().seen_from_m().is_some();
+    let is_edited =
+        |face: &OpenFace| !face.document().history().entries().is_empty() || face.photo().seen_from_m().is_some();
     session.face().is_some_and(is_edited)
 }

@@ -1,8 +1,8 @@
 use super::Session;
+use crate::ShapePart;
 use crate::changed::Changed;
 use crate::error::{SessionError, within};
 use crate::open_face::OpenFace;
-use crate::ShapePart;
 use crate::panel_state::Tape;
 
 impl Session {

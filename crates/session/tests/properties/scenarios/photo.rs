@@ -104,11 +104,8 @@ fn the_stage_uses_the_photos_view_distance() {
 
 #[test]
 fn only_named_views_and_turning_tools_leave_the_photo() {
-    let leaving = [
-        Intent::GoTo(NamedView::Left),
-        Intent::Turntable(rosto_session::Turntable::Turns),
-        Intent::ShowDepth,
-    ];
+    let leaving =
+        [Intent::GoTo(NamedView::Left), Intent::Turntable(rosto_session::Turntable::Turns), Intent::ShowDepth];
     for intent in leaving {
         let mut session = photo();
         assert_eq!(act(&mut session, intent.clone()), Changed::Document);

@@ -13,9 +13,11 @@ const NOSE_TIP: u32 = 1;
 const CHIN: u32 = 152;
 const BY_PX: DVec2 = DVec2::new(30.0, -20.0);
 
-/// A session without resistance to drags.
+/// A session that shows the face from the front, and without resistance to drags.
 fn session() -> Session {
     let mut session = faces::session();
+    act(&mut session, Intent::Backdrop(Visibility::Hidden));
+    session.stage_mut().advance(0.0);
     act(&mut session, Intent::Expert(true));
     session
 }
