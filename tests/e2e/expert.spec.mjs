@@ -4,14 +4,14 @@ import { test } from "./fixtures.mjs";
 
 /** Technical controls, by tab. */
 const TECHNICAL = {
-  shape: ["#preset", "#section-advanced", "#edit-pin"],
+  shape: ["#preset", "#section-advanced"],
   view: ["#density", "#shading label:has([value='normals'])", "#shading label:has([value='response'])", "#shading label:has([value='distortion'])"],
   export: ["#export-density", "#export-morphs", "#export-units", "[data-action='download-json']"],
 };
 const ORDINARY = {
-  shape: ["#face-sliders", "#landmark-search", "#landmark-offset", "#edit-mirror", "#edit-nearby", "#section-history"],
+  shape: ["#shape", "#slider-nose-width", "#selection", "#landmark-offset", "#landmark-more", "#looks", "#section-history"],
   view: ["#shading label:has([value='clay'])", "#view-wireframe", "#triangulation", "[data-action='view.left']"],
-  export: ["#texture-size", "[data-action='check-glb']", "[data-action='save-project']", "[data-action='download-glb']"],
+  export: ["#texture-size", "[data-action='check-glb']", "#save-main", "#save-more"],
 };
 
 test("one switch shows technical controls and point numbers, and is remembered", async ({ editor, page }) => {

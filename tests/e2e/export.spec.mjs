@@ -169,7 +169,7 @@ test("without share, clipboard and AR support, their buttons are hidden", { tag:
   const visitor = await open({ scripts: ["delete Navigator.prototype.canShare; delete window.ClipboardItem"] });
   await visitor.openFace();
   await visitor.unfold("section-export");
-  for (const id of ["share-glb", "share-pair", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
+  for (const id of ["share-glb", "save-share", "copy-picture", "ar-link"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
 });
 
 /** Printed measurements on the page: mm, cm³ and g, and the rounding of folds if there is any. */

@@ -7,10 +7,11 @@ test.use({ visit: { expert: true } });
 test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page }) => {
   await visitor.untilLoaded();
 
-  await page.focus("#drop-zone");
+  await page.focus("#welcome [data-action='choose']");
   await page.keyboard.press("Enter");
   await visitor.untilFace();
 
+  await visitor.selectBy("landmark");
   await page.focus("#landmark-search");
   await page.keyboard.type("nose tip");
   await page.keyboard.press("Enter");
@@ -46,12 +47,16 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   assert.ok(await page.isHidden("#keys"), "a key that was typed into a field is a shortcut");
 });
 
-test("the skip link leads to the search on each tab", { tag: "@rare" }, async ({ editor, page }) => {
+test("the skip link leads to moving by hand on each tab", { tag: "@rare" }, async ({ editor, page }) => {
+  await editor.selectBy("landmark");
+  await page.evaluate(() => document.activeElement.blur());
   await page.keyboard.press("Tab");
   assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the skip link is not the first tab stop");
   for (const [name, landmark] of [["nose tip", 1], ["bottom of the chin", 152]]) {
     await page.focus(".skip-link");
     await page.keyboard.press("Enter");
+    assert.equal(await page.evaluate(() => document.activeElement.value), "landmark");
+    await page.keyboard.press("Tab");
     await page.keyboard.type(name);
     await page.keyboard.press("Enter");
     assert.equal(await editor.selectedLandmark(), landmark);
@@ -77,11 +82,11 @@ test("keys move the camera while the view has the focus", { tag: ["@eyes", "@rar
 
 /** Tab stops of each tab of the panel. */
 const STOPS = {
-  shape: ["section-photo", "photo-change", "Nose width, in millimetres", "symmetrise-apply", "selection", "landmark-search", "preset", "edit-mirror", "reset-one", "operator", "anchors-shown", "run-paper"],
+  shape: ["section-photo", "photo-change", "shape", "Nose width, in millimetres", "selection", "landmark-search", "landmark-more", "preset", "look-smile", "section-history", "operator", "anchors-shown", "run-paper"],
   view: ["shading", "view-wireframe", "density", "view-left"],
-  export: ["base-colour", "export-density", "check-glb", "download-json", "save-project"],
+  export: ["base-colour", "export-density", "check-glb", "download-json"],
 };
-const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "download-glb"];
+const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "save-main", "save-more"];
 
 for (const [[tab, stops], tag] of variants(Object.entries(STOPS))) {
   test(`Tab reaches each control on the ${tab} tab, with a complete focus ring`, { tag }, async ({ editor, page }) => {
@@ -105,7 +110,7 @@ test("a question mark opens the list of keys, except while typing; dialogs show 
   const visitor = await open({ viewport: { width: 720, height: 450 } });
   const { page } = visitor;
   await visitor.openFace();
-  await visitor.unfold("section-landmark");
+  await visitor.selectBy("landmark");
   await page.focus("#landmark-search");
   await page.keyboard.press("?");
   assert.equal(await page.inputValue("#landmark-search"), "?");
@@ -131,6 +136,8 @@ function focused() {
   const name = element.id || fold || element.dataset.action || element.name || element.getAttribute("aria-label") || element.innerText;
   const isKnown = element === document.body || element.hasAttribute("data-was-focused");
   element.setAttribute("data-was-focused", "");
+  // A note shows the focus of the whole stage.
+  if (element.id === "viewport") return { name, isKnown, faults: document.querySelector(".focus-note").checkVisibility() ? [] : ["it has no note"] };
   // Radio buttons of a segmented control are represented by their labels.
   const shows = element.type === "radio" ? element.nextElementSibling : element;
   const { outlineStyle, outlineWidth, outlineOffset } = getComputedStyle(shows);

@@ -11,13 +11,13 @@ test.use({ visit: DESKTOP });
 test("the panel's sections go from photo to sliders, editing by hand and history, and end with expert settings", async ({ editor, page }) => {
   await editor.enableExpert();
   const headings = page.locator("#sections h2:not(.visually-hidden)").filter({ visible: true });
-  await expect(headings).toHaveText(["Photo", "Proportions", "Expressions", "Move by hand", "In the photo", "History", "Expert settings"]);
+  await expect(headings).toHaveText(["Photo", "Move by hand", "Expressions", "In the photo", "History", "Expert settings"]);
   for (const id of ["operator", "constraint", "details", "anchors", "anchors-shown", "section-paper"]) {
     assert.ok(await page.isHidden(`#${id}`), id);
     assert.equal(await page.locator(`#section-advanced #${id}`).count(), 1, id);
   }
   await editor.setLanguage("pt");
-  await expect(headings).toHaveText(["Foto", "Proporções", "Expressões", "Mover à mão", "Na foto", "Histórico", "Ajustes avançados"]);
+  await expect(headings).toHaveText(["Foto", "Mover à mão", "Expressões", "Na foto", "Histórico", "Ajustes avançados"]);
 });
 
 for (const [[device, visit], tag] of variants(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
@@ -26,7 +26,7 @@ for (const [[device, visit], tag] of variants(Object.entries({ desktop: DESKTOP,
     const { page } = visitor;
     await visitor.untilLoaded();
     assert.ok(await page.isHidden("[role=tablist]"));
-    assert.ok(await page.isHidden("[data-action='download-glb']"), "the download button is visible without a face");
+    assert.ok(await page.isHidden("#save-main"), "the download button is visible without a face");
     await visitor.openFace();
     await page.focus("#tab-shape");
     const sections = { shape: "section-face", view: "section-view", export: "section-export" };
@@ -36,9 +36,8 @@ for (const [[device, visit], tag] of variants(Object.entries({ desktop: DESKTOP,
       assert.deepEqual(await page.locator("[role=tab][aria-selected=true]").evaluateAll((tabs) => tabs.map(({ id }) => id)), [`tab-${tab}`]);
       assert.equal(await page.locator("#sections").evaluate((sections) => sections.scrollTop), 0, "the tab is not scrolled to its top");
       for (const [name, section] of Object.entries(sections)) assert.equal(await page.isVisible(`#${section}`), name === tab, `${section} on ${tab}`);
-      await expectInReach(page.locator("[data-action='download-glb']"));
+      await expectInReach(page.locator("#save-main"));
     }
-    assert.equal(await page.locator(".button.primary").filter({ visible: true }).count(), 1);
     assert.match((await visitor.save("download-glb")).name, /\.glb$/);
 
     await page.click("#tab-shape");
@@ -90,7 +89,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
       await visitor.setLanguage(language);
       for (const tab of ["shape", "view", "export"]) {
         await page.click(`#tab-${tab}`);
-        const heights = await page.locator(".choice-options span").filter({ visible: true }).evaluateAll((all) => all.map((span) => span.offsetHeight));
+        const heights = await page.locator(".choice-options:not(.icons) span").filter({ visible: true }).evaluateAll((all) => all.map((span) => span.offsetHeight));
         assert.deepEqual([...new Set(heights)], [32], `${language}, ${tab}`);
         const wide = await page.locator(".choice-options").evaluateAll((all) => all.filter((row) => row.scrollWidth > row.clientWidth).map(({ id }) => id));
         assert.deepEqual(wide, [], `${language}, ${tab}`);
@@ -124,14 +123,14 @@ for (const [[width, height], tag] of variants([[1280, 720], [720, 450], [844, 39
 }
 
 test("hints say tap on touch devices and click otherwise; language and theme are available on both", async ({ open, editor }) => {
-  const texts = async ({ page }) => `${await page.textContent("#welcome-title")} ${await page.textContent("#landmark-help")}`;
+  const texts = async ({ page }) => `${await page.textContent("#welcome-title")} ${await page.textContent("#selection-help")}`;
   const phone = await open(PHONE);
   const { page } = phone;
   await phone.openFace();
   const byFinger = await texts(phone);
-  assert.match(byFinger, /Choose or take a photo of a face.*Tap a point/);
+  assert.match(byFinger, /Choose or take a photo of a face.*Tap again/);
   assert.doesNotMatch(byFinger, /\b(drop|click)\b/i);
-  assert.match(await texts(editor), /Drop a photo of a face.*Click a point/);
+  assert.match(await texts(editor), /Drop a photo of a face.*Click again/);
   await page.locator("#language").scrollIntoViewIfNeeded();
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("#tab-export"), "Exportar");

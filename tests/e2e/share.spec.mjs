@@ -44,27 +44,29 @@ test("a before/after picture that fails shows a notice and leaves the view uncha
   await editor.move("nose tip", "x", 12);
   const before = await readState(editor);
   await page.evaluate(failPictures);
-  await editor.unfold("section-export");
+  await editor.openSaveMenu();
   await page.click("[data-action='download-pair']");
   assert.equal((await editor.notice()).code, "not-drawn");
   assertSame(await readState(editor), before);
 });
 
-test("before/after pictures are shared if possible, and downloaded if sharing fails", { tag: "@rare" }, async ({ open }) => {
+test("pictures are shared if possible, and downloaded if sharing fails", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [installSharing] });
   const { page } = visitor;
   await visitor.openFace();
-  await visitor.unfold("section-export");
-  await page.click("[data-action='share-pair']");
+  await visitor.move("nose tip", "z", 4);
+  await page.click("#save-share");
   await page.waitForFunction(() => window["sent"].length === 1);
   const [sent] = await page.evaluate("sent");
   assert.deepEqual([sent.name, sent.type], ["portrait-before-after.png", "image/png"]);
   assert.ok(sent.bytes > 10_000, `${sent.bytes} bytes`);
   await page.evaluate("answer = 'NotAllowedError'");
-  await visitor.download("share-pair");
+  await Promise.all([page.waitForEvent("download"), page.click("#save-share")]);
   await page.evaluate("answer = 'AbortError'");
-  await page.click("[data-action='share-pair']");
+  await page.keyboard.press("p");
+  await page.click("#save-share");
   await page.waitForFunction(() => window["sent"].length === 3);
+  assert.deepEqual(await page.evaluate("[sent[2].name, sent[2].type]"), ["portrait-edited.jpg", "image/jpeg"]);
   assert.ok(await page.isHidden("#notice"));
 });
 
@@ -97,7 +99,8 @@ for (const [what, script] of Object.entries({
     const visitor = await open({ scripts: [script] });
     await visitor.openFace();
     await visitor.unfold("section-export");
-    for (const id of ["share-glb", "share-pair"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
+    for (const id of ["share-glb", "save-share"]) assert.ok(await visitor.page.isHidden(`#${id}`), id);
+    await visitor.openSaveMenu();
     assert.ok(await visitor.page.isVisible("#download-pair"));
   });
 }
@@ -106,7 +109,7 @@ test("the face swings once in a four-second video without tools, and the view is
   await visitor.openFace("ana");
   await visitor.move("nose tip", "z", 8);
   const before = await readState(visitor);
-  await visitor.unfold("section-export");
+  await visitor.openSaveMenu();
   const coming = page.waitForEvent("download", { timeout: CLIP_MS });
   await page.click("#clip");
   await page.waitForSelector("#clip-progress");
@@ -117,7 +120,7 @@ test("the face swings once in a four-second video without tools, and the view is
   const bytes = await readFile(await download.path());
   assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3], "the bytes are not EBML");
   assert.ok(await page.isHidden("#clip-progress"));
-  assert.equal(await page.innerText("#clip"), "Record a rotating video");
+  assert.equal(await page.innerText("#clip"), "Rotating video");
   assert.ok(await page.locator("#clip").evaluate((button) => button === document.activeElement), "the focus was lost");
   assertSame(await readState(visitor), before);
 
@@ -194,7 +197,7 @@ test("a browser without MediaRecorder shows a note instead of the button", async
   const visitor = await open({ scripts: ["delete window.MediaRecorder"] });
   const { page } = visitor;
   await visitor.openFace();
-  await visitor.unfold("section-export");
+  await visitor.openSaveMenu();
   assert.ok(await page.isHidden("#clip"));
   assert.equal(await page.innerText("#clip-line"), "This browser can’t record the video. Try another browser.");
   await visitor.setLanguage("pt");
@@ -215,7 +218,7 @@ function assertSame(now, before) {
 
 /** Starts a recording and waits until part of it is done. @param {import("./visitor.mjs").Visitor} visitor */
 async function recordHalf(visitor) {
-  await visitor.unfold("section-export");
+  await visitor.openSaveMenu();
   await visitor.page.click("#clip");
   await visitor.page.waitForFunction(() => document.getElementById("clip-progress").value > 0.2);
 }

@@ -37,7 +37,7 @@ export function setUpPhotos(host: Host, opening: Opening, vision: VisionClient) 
     if (pictures.join() !== shown) list.replaceChildren(...listed.map((picture) => row(face, picture)));
     shown = pictures.join();
     restore.hidden = removed?.face !== face || removed.pictures !== shown;
-    if (focused && (focused.hidden || !focused.contains(document.activeElement))) add.focus();
+    if (focused && (focused.hidden || !focused.contains(document.activeElement))) (add.checkVisibility() ? add : byId("photo-change", HTMLButtonElement)).focus();
     for (const [index, photo] of photos.entries()) {
       const [, label, button] = list.children[index]?.children ?? [];
       const turn = turnText(photo);

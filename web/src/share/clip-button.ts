@@ -46,6 +46,8 @@ export function setUpClip(host: Host, opening: { face: Face | undefined }) {
       if (error === CANCELLED) return toast(t("clip.cancelled"));
       console.warn("the clip was not recorded:", error);
       write(line, "clip.interrupted");
+      // Its menu may have been closed.
+      button.closest<HTMLElement>("[popover]")?.togglePopover(true);
     } finally {
       setRecording(undefined);
     }
