@@ -26,8 +26,6 @@ export interface Incoming extends ShownFace {
   extraction_ms?: number | undefined;
   /** another program has changed the mesh in the file */
   changedElsewhere?: boolean;
-  /** possibly not a face */
-  isDoubtful?: boolean;
   /** the photo was open before */
   ofThisVisit?: boolean;
 }
@@ -247,7 +245,7 @@ export class Opening {
     const [face] = faces;
     if (!found || !face) throw noFace();
     const extraction_ms = kind === "photo" && begun_ms !== undefined ? performance.now() - begun_ms : undefined;
-    return { face, faces, bitmaps, changedElsewhere, isDoubtful: found.isDoubtful, extraction_ms };
+    return { face, faces, bitmaps, changedElsewhere, extraction_ms };
   }
 
   #bitmapsOf({ pictures, files }: FacePhoto) {

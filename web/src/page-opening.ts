@@ -11,6 +11,8 @@ import type { PhotoOverlay } from "./photo/photo-overlay.ts";
 import type { VisionClient } from "./photo/vision-client.ts";
 import type { Host } from "./viewport/host.ts";
 import type { Autosave } from "./work/autosave.ts";
+import type { Face } from "./work/face.ts";
+import type { PhotoRemark } from "../wasm/rosto-vision-web.js";
 
 interface Context {
   /** undefined if the browser cannot draw in 3D */
@@ -24,6 +26,8 @@ interface Context {
 
 /** Opens faces on the page, with its panels, notices and autosave. */
 export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpened }: Context) {
+  /** Faces whose remarks the user has seen. */
+  const seen = new WeakSet<Face>();
   const warn = (error: unknown) => console.warn("cannot show the recent faces:", error);
   const showFaces = () => faceChoice.show(opening.faces, opening.recent).catch(warn);
   const opening = new Opening(host, vision, {
@@ -39,7 +43,9 @@ export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpe
     },
     started: (face) => autosave.start(face),
     opened: (incoming) => {
-      showOpened(incoming);
+      const { face } = incoming;
+      showOpened(incoming, seen.has(face) ? undefined : face.remarks?.[0]);
+      seen.add(face);
       showFaces();
       // Fields that were being typed in can be updated again.
       host.then((ready) => ready?.announce());
@@ -64,7 +70,7 @@ export function pageOpening({ host, vision, overlay, faceChoice, autosave, onOpe
   return opening;
 }
 
-function showOpened({ changedElsewhere, isDoubtful, ofThisVisit = false }: Incoming) {
+function showOpened({ changedElsewhere, ofThisVisit = false }: Incoming, remark: PhotoRemark | undefined) {
   const isIn3d = document.body.dataset["host"] === "open";
   document.body.dataset["state"] = isIn3d ? "face" : "photo";
   byId("welcome", HTMLElement).hidden = true;
@@ -73,6 +79,6 @@ function showOpened({ changedElsewhere, isDoubtful, ofThisVisit = false }: Incom
   byId("section-photo", HTMLDetailsElement).open = !isIn3d;
   resetPanel(ofThisVisit);
   if (changedElsewhere) showError({ code: "changed-elsewhere", message: "", hint: "" });
-  else if (isDoubtful) showRemark("may-not-be-a-face", {});
+  else if (remark) showRemark(remark.id, remark);
   else if (isIn3d) showHints();
 }

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use rosto::{PhotoRemark, Region};
 use rosto_landmarks::{Face, FoundFaces};
 use rosto_photo::Photo;
 
-/// Notes on a photo whose first face is used; empty if it has one face that is not doubtful.
+/// Notes on a photo whose first face is used; empty if it has one face without remarks.
 pub fn notes_on_first(path: &Path, photo: &Photo, found: &FoundFaces) -> Vec<String> {
     let Some(first) = found.faces.first() else { return Vec::new() };
     let count = (found.at_least > 1).then(|| {
@@ -15,18 +16,19 @@ pub fn notes_on_first(path: &Path, photo: &Photo, found: &FoundFaces) -> Vec<Str
             "{path}: {count}; used the first, {width:.0} × {height:.0} px at ({left:.0}, {top:.0}), confidence {confidence:.2}"
         )
     });
-    count.into_iter().chain(doubt(path, "this face", first)).collect()
+    count.into_iter().chain(remarks(path, "this face", photo, first)).collect()
 }
 
-/// Notes on a photo whose faces are all used: faces beyond the limit, and doubtful faces.
-pub fn notes_on_all(path: &Path, found: &FoundFaces) -> Vec<String> {
+/// Notes on a photo whose faces are all used: faces beyond the limit, and remarks.
+pub fn notes_on_all(path: &Path, photo: &Photo, found: &FoundFaces) -> Vec<String> {
     let count = found.faces.len();
     // A limit of one is intended, so it needs no note.
     let cut = (count > 1 && found.at_least > count).then(|| {
         format!("{}: {count} of {} or more faces returned; raise --max-faces", path.display(), found.at_least)
     });
-    let doubts = found.faces.iter().zip(1..).filter_map(|(face, number)| doubt(path, &format!("face {number}"), face));
-    cut.into_iter().chain(doubts).collect()
+    let numbered = found.faces.iter().zip(1..);
+    let remarks = numbered.flat_map(|(face, number)| remarks(path, &format!("face {number}"), photo, face));
+    cut.into_iter().chain(remarks).collect()
 }
 
 fn counted(found: &FoundFaces) -> String {
@@ -34,9 +36,20 @@ fn counted(found: &FoundFaces) -> String {
     format!("{}{more} faces found", found.at_least)
 }
 
-fn doubt(path: &Path, name: &str, face: &Face) -> Option<String> {
-    let confidence = face.confidence;
-    face.is_doubtful().then(|| format!("{}: {name} may not be a face (confidence {confidence:.2})", path.display()))
+fn remarks(path: &Path, name: &str, photo: &Photo, face: &Face) -> Vec<String> {
+    let remarks = PhotoRemark::of(photo, face).into_iter();
+    remarks.map(|remark| format!("{}: {name} {}", path.display(), text(remark))).collect()
+}
+
+fn text(remark: PhotoRemark) -> String {
+    match remark {
+        PhotoRemark::MayNotBeAFace { confidence } => format!("may not be a face (confidence {confidence:.2})"),
+        PhotoRemark::TinyFace { width_px } => format!("is only {width_px} px wide: it will look soft"),
+        PhotoRemark::CoveredCheek { cheek } => {
+            let side = if cheek == Region::LeftCheek { "left" } else { "right" };
+            format!("has a {side} cheek that seems to be covered: its shape and colour are guessed")
+        }
+    }
 }
 
 /// Left, top, width and height of the landmarks' bounding box.

@@ -147,7 +147,7 @@ struct Line {
 fn line(path: &Path, how: &Value, finder: &FaceFinder, options: &FindOptions) -> Result<Line, CliError> {
     let photo = faces::open(path)?;
     let found = faces::all(&photo, path, finder, options)?;
-    let notes = notes_on_all(path, &found);
+    let notes = notes_on_all(path, &photo, &found);
     let FoundFaces { faces, at_least } = found;
     let dto = PhotoDto {
         name: PhotoName::new(path),

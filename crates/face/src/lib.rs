@@ -6,6 +6,7 @@
 mod areas;
 mod camera;
 mod canonical;
+mod cheeks;
 mod contours;
 mod error;
 mod irises;
@@ -28,6 +29,7 @@ pub use camera::{Camera, Pose};
 pub use canonical::{
     MAX_DENSITY, Triangulation, canonical_positions_m, canonical_uvs, crowded_landmarks, opening_edges,
 };
+pub use cheeks::{covered_cheek, face_width_px};
 pub use contours::OVAL;
 pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};

@@ -12,6 +12,8 @@ mod mesh_request;
 pub mod networks;
 mod photo_edit;
 mod photo_request;
+#[cfg(feature = "find")]
+mod remarks;
 mod settings;
 mod write;
 
@@ -21,6 +23,8 @@ pub use file_options::{EditsAs, ExpressionsAs, FileOptions};
 pub use mesh_request::MeshRequest;
 pub use photo_edit::{MAX_DABS, PhotoEdit};
 pub use photo_request::{EditedPhoto, PhotoRequest};
+#[cfg(feature = "find")]
+pub use remarks::PhotoRemark;
 pub use settings::{anchor_rule, constraint};
 
 pub use rosto_export::{

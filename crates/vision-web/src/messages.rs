@@ -1,7 +1,7 @@
 //! Plain objects of the worker's requests and answers, with their TypeScript types.
 
 use js_sys::Uint8ClampedArray;
-use rosto::Photo;
+use rosto::{Photo, Region};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use tsify::{Ts, Tsify};
@@ -57,8 +57,36 @@ pub struct OpenedFace {
     pub size_px: [u32; 2],
     /// Landmarks in the lead photo, 468 or 478 × (x/width, y/height, z/width), one after the other.
     pub landmarks: Vec<f32>,
-    /// Whether the detection may not be a face.
-    pub is_doubtful: bool,
+    /// Remarks on the face in the lead photo, the most important first; none for a saved face.
+    pub remarks: Vec<PhotoRemark>,
+}
+
+/// A reason why a face may look worse than usual, by the id of its words and the values in them.
+#[derive(Debug, Clone, Copy, Serialize, Tsify)]
+#[serde(tag = "id", rename_all = "kebab-case", rename_all_fields = "camelCase")]
+pub enum PhotoRemark {
+    /// The detection may not be a face.
+    MayNotBeAFace,
+    /// The face has few pixels.
+    TinyFace {
+        /// Width of the face, in px of the photo.
+        width_px: u32,
+    },
+    /// Something covers a part of the subject's left cheek.
+    CoveredLeftCheek,
+    /// Something covers a part of the subject's right cheek.
+    CoveredRightCheek,
+}
+
+impl From<rosto::PhotoRemark> for PhotoRemark {
+    fn from(remark: rosto::PhotoRemark) -> Self {
+        match remark {
+            rosto::PhotoRemark::MayNotBeAFace { .. } => Self::MayNotBeAFace,
+            rosto::PhotoRemark::TinyFace { width_px } => Self::TinyFace { width_px },
+            rosto::PhotoRemark::CoveredCheek { cheek: Region::LeftCheek } => Self::CoveredLeftCheek,
+            rosto::PhotoRemark::CoveredCheek { .. } => Self::CoveredRightCheek,
+        }
+    }
 }
 
 /// An upright picture.

@@ -5,7 +5,7 @@ use rosto_face::{FaceModel, MAX_PICTURE_SIDE_PX};
 use rosto_landmarks::Face;
 
 use crate::error::{self, Result};
-use crate::messages::{OpenedFace, OpenedFile, OpenedKind};
+use crate::messages::{OpenedFace, OpenedFile, OpenedKind, PhotoRemark};
 
 /// A decoded file.
 pub(crate) enum Decoded {
@@ -46,9 +46,9 @@ impl Decoded {
 /// The faces found in a photo.
 pub(crate) fn of_photo(photo: &Photo, faces: Vec<Face>, pictures: &[String]) -> OpenedFile {
     let faces = faces.into_iter().map(|face| {
-        let is_doubtful = face.is_doubtful();
+        let remarks = rosto::PhotoRemark::of(photo, &face).into_iter().map(PhotoRemark::from).collect();
         let photos = vec![Observation::without_picture(photo, face.landmarks)];
-        OpenedFace { is_doubtful, ..opened(&SavedFace { photos, edits: None }, 0, pictures) }
+        OpenedFace { remarks, ..opened(&SavedFace { photos, edits: None }, 0, pictures) }
     });
     OpenedFile { kind: OpenedKind::Photo, faces: faces.collect(), changed_elsewhere: false }
 }
@@ -82,6 +82,6 @@ fn opened(face: &SavedFace, lead: usize, pictures: &[String]) -> OpenedFace {
         lead,
         size_px: *photo_size_px,
         landmarks: landmarks.concat(),
-        is_doubtful: false,
+        remarks: Vec::new(),
     }
 }

@@ -1,8 +1,9 @@
 import { isWord, onLocaleChange, t } from "../words/words.ts";
 import { byId } from "./dom.ts";
 import { asPageError } from "./page-error.ts";
+import type { PhotoRemark } from "../../wasm/rosto-vision-web.js";
 
-type Remark = "one-of-several" | "adds-little" | "earlier-work" | "may-not-be-a-face";
+type Remark = "one-of-several" | "adds-little" | "earlier-work" | PhotoRemark["id"];
 type Notice = {
   kind: "error" | "remark";
   code: string;

@@ -1,5 +1,6 @@
 import { stemOf, stemOfMesh } from "./file-name.ts";
 import type { Opened } from "../worker/protocol.ts";
+import type { PhotoRemark } from "../../wasm/rosto-vision-web.js";
 
 export interface SourceFile {
   /** the worker names the file's pictures `KEY/0`, `KEY/1`, … */
@@ -19,6 +20,8 @@ export interface Face {
   pictures: string[];
   /** index of the lead photo */
   lead: number;
+  /** on a newly found face in its photo, the most important first */
+  remarks?: PhotoRemark[] | undefined;
   /** in the studio's format; absent for a newly found face */
   edits?: string | undefined;
   /** settings and view in the studio's format; absent before the face was on the screen */
@@ -46,8 +49,8 @@ const VERSION = 1;
  */
 export function facesOf({ key, file, opened: { kind, faces } }: Opened, name: string): Face[] {
   const files = [{ key, file, kind }];
-  return faces.map(({ photos, edits, pictures, lead }, index) => {
-    return { name: index === 0 ? name : `${name}-${index + 1}`, files, photos, pictures, lead, edits };
+  return faces.map(({ photos, edits, pictures, lead, remarks }, index) => {
+    return { name: index === 0 ? name : `${name}-${index + 1}`, files, photos, pictures, lead, edits, remarks };
   });
 }
 

@@ -1,0 +1,38 @@
+use rosto_face::{Region, covered_cheek, face_width_px};
+use rosto_landmarks::Face;
+use rosto_photo::Photo;
+
+/// Width in px below which a face is tiny: a pixel is then 1.7 mm of skin.
+const TINY_BELOW_PX: u32 = 90;
+
+/// A reason why the model of a face may be worse than usual.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PhotoRemark {
+    /// The detection may not be a face.
+    MayNotBeAFace {
+        /// See [`Face::confidence`].
+        confidence: f32,
+    },
+    /// The face has too few pixels for a sharp texture.
+    TinyFace {
+        /// Width of the face in px of the photo.
+        width_px: u32,
+    },
+    /// Something covers a part of a cheek, whose shape and colour are guessed.
+    CoveredCheek {
+        /// [`Region::LeftCheek`] or [`Region::RightCheek`], the subject's.
+        cheek: Region,
+    },
+}
+
+impl PhotoRemark {
+    /// Remarks on a face found in `photo`, the most important first.
+    pub fn of(photo: &Photo, face: &Face) -> Vec<Self> {
+        let size_px = [photo.width(), photo.height()];
+        let doubt = face.is_doubtful().then_some(Self::MayNotBeAFace { confidence: face.confidence });
+        let width_px = face_width_px(&face.landmarks, size_px).map(|width_px| width_px.round() as u32);
+        let tiny = width_px.filter(|&width_px| width_px < TINY_BELOW_PX).map(|width_px| Self::TinyFace { width_px });
+        let cover = covered_cheek(photo, &face.landmarks).map(|cheek| Self::CoveredCheek { cheek });
+        [doubt, tiny, cover].into_iter().flatten().collect()
+    }
+}
