@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { expect } from "@playwright/test";
 import { findings } from "./boxes.mjs";
 import { variants, test } from "./fixtures.mjs";
-import { chooseFace, openGroup } from "./groups.mjs";
+import { chooseFace, openGroup, PREVIOUS_FACE } from "./groups.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 import { asJpeg, sixTimes } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -92,17 +92,14 @@ test("earlier photos are offered by name, with their edits", { tag: "@rare" }, a
     await visitor.move("nose tip", "z", place + 2);
     left.set(name, await visitor.work());
   }
-  const offered = () => page.locator("#earlier-faces button").evaluateAll((buttons) => buttons.map((button) => button.title));
-  assert.deepEqual(await offered(), ["Back to clara", "Back to bia"], "next to dora, the previous face");
-  await page.click("#earlier-faces button[title='Back to bia']");
+  const offered = () => page.locator("#earlier-options button").evaluateAll((buttons) => buttons.map((button) => button.title));
+  assert.deepEqual(await offered(), ["dora", "clara", "bia", "ana"].map((name) => `Back to ${name}`));
+  await page.click("#earlier-options button[title='Back to bia']");
   await untilNamed(visitor, "bia");
   assert.deepEqual(await visitor.work(), left.get("bia"));
-  assert.deepEqual(await offered(), ["Back to dora", "Back to clara"]);
+  assert.deepEqual(await offered(), ["eva", "dora", "clara", "ana"].map((name) => `Back to ${name}`));
   await goBack(visitor, "eva");
   assert.deepEqual(await visitor.work(), left.get("eva"));
-  // Faces that do not fit in the strip are still stored.
-  await untilSaved(page);
-  assert.ok((await storedWorks(page)).some(({ name, edits }) => name === "ana" && edits.includes("nose-tip")));
 });
 
 for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["nothing", [refuseDatabase]]])) {
@@ -159,7 +156,7 @@ test("the last of several quickly chosen faces is shown, and a restart of the mo
   assert.deepEqual(await visitor.work(), first);
 });
 
-test("on a phone the strip of faces scrolls, and the chosen face is visible", { tag: "@rare" }, async ({ open }) => {
+test("on a phone a row of faces scrolls by wheel and keys, its cut ends fade, and the chosen face is visible", async ({ open }) => {
   const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
   await visitor.openFace();
@@ -168,8 +165,18 @@ test("on a phone the strip of faces scrolls, and the chosen face is visible", { 
   await visitor.untilFace();
   const strip = await page.locator("#faces").boundingBox();
   assert.ok(strip.x >= 0 && strip.x + strip.width <= 360, JSON.stringify(strip));
-  const last = page.locator("#face-options canvas").nth(5);
-  assert.ok((await last.boundingBox()).x > 360, "the strip does not overflow");
+  const [options, last] = [page.locator("#face-options"), page.locator("#face-options canvas").nth(5)];
+  const isCut = (ends) => expect(options).toHaveAttribute("data-cut", ends);
+  assert.ok(await page.isVisible("#earlier-faces"), "the earlier photo is not offered");
+  await isCut("end");
+  await options.hover();
+  await page.mouse.wheel(0, 20);
+  await isCut("start end");
+  await page.mouse.wheel(0, 400);
+  await isCut("start");
+  await page.mouse.wheel(0, -400);
+  await isCut("end");
+  assert.ok((await last.boundingBox()).x + 20 > strip.x + strip.width, "the strip does not overflow");
   await page.locator("#face-options input").nth(5).focus();
   await page.locator("#face-options input").nth(5).press("Space");
   await untilNamed(visitor, "group-6");
@@ -184,11 +191,12 @@ for (const [{ width, height }, tag] of variants([{ width: 390, height: 844 }, { 
     const { page } = visitor;
     await visitor.openFace();
     await openGroup(visitor);
-    assert.ok(await page.isVisible("#previous-face"));
+    assert.ok(await page.isVisible(PREVIOUS_FACE));
+    assert.deepEqual(await page.locator(".face-row > p").allInnerTexts(), ["In this photo", "Earlier photos"]);
     const strip = await page.locator("#faces").boundingBox();
     const stage = await page.locator("#stage").boundingBox();
     assert.ok(strip.x >= stage.x && strip.x + strip.width <= stage.x + stage.width && strip.y >= stage.y, JSON.stringify({ strip, stage }));
-    for (const input of await page.locator("#face-options canvas").all()) {
+    for (const input of await page.locator(".face-strip canvas").all()) {
       const { x, y, width: across } = await input.boundingBox();
       assert.ok(across >= 40, `a thumbnail of ${across} px`);
       assert.ok(x >= strip.x && x + across <= strip.x + strip.width && y >= strip.y, "a thumbnail is cut off");
@@ -206,7 +214,7 @@ async function choose(visitor, index) {
 }
 
 async function goBack(visitor, name) {
-  await visitor.page.click("#previous-face");
+  await visitor.page.click(PREVIOUS_FACE);
   await untilNamed(visitor, name);
 }
 

@@ -4,6 +4,9 @@ import { SAMPLE } from "./visitor.mjs";
 
 /** @typedef {import("./visitor.mjs").Visitor} Visitor */
 
+/** Button of the earlier face that was shown last. */
+export const PREVIOUS_FACE = "#earlier-options button:first-child";
+
 /** Opens a photo with two faces. @param {Visitor} visitor */
 export async function openGroup(visitor, name = "group.png") {
   await visitor.drop(await twice(visitor.page, await readFile(SAMPLE)), name);

@@ -6,6 +6,7 @@ import { camera, recordCamera, rejectIn } from "./camera-watch.mjs";
 import { portraitLandmarks } from "./video.mjs";
 import { FRAMES_PER_S, HEIGHT_PX, SPEED_PX_S, WIDTH_PX, mapToFrame, numberOf, poseIn } from "./video-frames.mjs";
 import { test } from "./fixtures.mjs";
+import { PREVIOUS_FACE } from "./groups.mjs";
 import { differenceNear, meanColour } from "./pixels.mjs";
 import { crashBefore } from "./page-scripts.mjs";
 
@@ -64,7 +65,7 @@ test("the live preview can be saved as a photo with its edits, and the camera st
   await visitor.setSlider("eye-size", 2);
   await page.click("#live-save");
   await page.waitForSelector("#live", { state: "hidden" });
-  await page.waitForSelector("#previous-face:visible");
+  await page.waitForSelector(`${PREVIOUS_FACE}:visible`);
   await visitor.untilFace();
   assert.equal((await visitor.history()).length, 2);
   assert.equal(await visitor.sliderValue("nose-width"), NOSE_MM);

@@ -37,7 +37,7 @@ test("a selfie from the camera opens unmirrored", { tag: "@camera" }, async ({ v
 
 test("one of several faces in a photo can be chosen", async ({ visitor }) => {
   await openGroup(visitor);
-  assert.equal(await visitor.page.innerText("#face-choice-title"), "2 faces in this photo");
+  assert.equal(await visitor.page.getAttribute("#face-choice", "aria-label"), "2 faces in this photo");
   const first = await visitor.meshJson("image");
   await chooseFace(visitor, 1);
   await visitor.frames(3);

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { variants, test } from "./fixtures.mjs";
+import { PREVIOUS_FACE } from "./groups.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { crashGpu, hookModule, recordGpus } from "./page-scripts.mjs";
 
@@ -169,9 +170,9 @@ test("a recording ends with a notice when the page is hidden", { tag: ["@eyes", 
 
 test("a recording ends when another face opens, whose view is not turned", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.openFace("another");
-  await page.waitForSelector("#previous-face");
+  await page.waitForSelector(PREVIOUS_FACE);
   await recordHalf(editor);
-  await page.click("#previous-face");
+  await page.click(PREVIOUS_FACE);
   await untilInterrupted(page);
   await editor.untilFace();
   const opened = await editor.view();

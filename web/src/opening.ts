@@ -96,14 +96,11 @@ export class Opening {
     return this.#current?.faces ?? [];
   }
 
-  /** The face shown last, and the latest one of each other photo. */
+  /** The face shown last of each other photo, latest first. */
   get recent() {
-    const photos = new Set(this.faces.map(photoKey));
-    return this.#earlier.map(({ face }) => face).filter((face, index) => {
-      const isNew = !photos.has(photoKey(face));
-      photos.add(photoKey(face));
-      return index === 0 || isNew;
-    });
+    const others = this.#earlier.map(({ face }) => face).filter((face) => !this.faces.includes(face));
+    const latest = new Map(others.toReversed().map((face) => [photoKey(face), face]));
+    return others.filter((face) => latest.get(photoKey(face)) === face);
   }
 
   /** The open face with its current photos and edits; as last read while the studio restarts after a crash. */

@@ -2,17 +2,19 @@ import { byId, make } from "../page/dom.ts";
 import { onLocaleChange, t } from "../words/words.ts";
 import { leadOf } from "../work/face.ts";
 import { faceThumbnail } from "./face-box.ts";
+import { setUpStrip } from "./strip.ts";
 import type { Face } from "../work/face.ts";
 
 const THUMBNAIL_PX = 56;
 /** Side of a thumbnail's crop relative to the face. */
 const CROP_SCALE = 1.5;
 
-/** Strip over the stage: the faces of a photo with several faces, and the recent faces. */
+/** Bar over the stage: a row with the faces of a photo with several faces, and a row with those of earlier photos. */
 export class FaceChoice {
-  #group = byId("face-choice", HTMLFieldSetElement);
-  #earlier = byId("earlier-faces", HTMLDivElement);
-  /** Shown before, latest first. */
+  #group = byId("face-choice", HTMLDivElement);
+  #options = byId("face-options", HTMLDivElement);
+  #earlier = byId("earlier-options", HTMLDivElement);
+  /** Faces of earlier photos, latest first. */
   #before: Face[] = [];
   #faces: Face[] = [];
   /** `lead`: picture that was drawn. */
@@ -21,7 +23,8 @@ export class FaceChoice {
 
   constructor(choose: (face: Face) => void) {
     this.#choose = choose;
-    byId("previous-face", HTMLButtonElement).addEventListener("click", () => choose(this.#before[0]));
+    setUpStrip(this.#options);
+    setUpStrip(this.#earlier);
     onLocaleChange(() => this.#updateLabels());
   }
 
@@ -37,17 +40,16 @@ export class FaceChoice {
   }
 
   /**
-   * Shows the faces of a photo and the recent faces; hides the strip if there is nothing to choose.
+   * Shows the faces of a photo and those of earlier photos; hides a row without a choice.
    *
    * @param before latest first
    */
   async show(faces: Face[], before: Face[]) {
     const isGroup = faces.length > 1;
     this.#group.hidden = !isGroup;
-    byId("previous-face", HTMLButtonElement).hidden = before.length === 0;
+    byId("earlier-faces", HTMLDivElement).hidden = before.length === 0;
     byId("faces", HTMLElement).hidden = !isGroup && before.length === 0;
-    const [latest, ...earlier] = before;
-    const drawing = [this.#draw(byId("previous-thumbnail", HTMLCanvasElement), latest)];
+    const drawing: Promise<void>[] = [];
     const withThumbnail = <T extends HTMLElement>(element: T, face: Face) => {
       const canvas = make("canvas");
       drawing.push(this.#draw(canvas, face));
@@ -55,11 +57,10 @@ export class FaceChoice {
       return element;
     };
     this.#before = before;
-    this.#earlier.replaceChildren(...earlier.map((face) => withThumbnail(this.#button(face), face)));
+    this.#earlier.replaceChildren(...before.map((face) => withThumbnail(this.#button(face), face)));
     if (faces !== this.#faces) {
       this.#faces = faces;
-      const options = isGroup ? faces.map((face) => withThumbnail(this.#option(face), face)) : [];
-      byId("face-options", HTMLDivElement).replaceChildren(...options);
+      this.#options.replaceChildren(...(isGroup ? faces.map((face) => withThumbnail(this.#option(face), face)) : []));
     }
     this.#updateLabels();
     await Promise.all(drawing);
@@ -74,7 +75,7 @@ export class FaceChoice {
   }
 
   #button(face: Face) {
-    const button = make("button", "previous-face");
+    const button = make("button");
     button.type = "button";
     button.addEventListener("click", () => this.#choose(face));
     return button;
@@ -89,22 +90,22 @@ export class FaceChoice {
     return label;
   }
 
-  async #draw(canvas: HTMLCanvasElement, face: Face | undefined) {
-    const thumbnail = await (face && this.#thumbnails.get(face)?.bitmap);
+  async #draw(canvas: HTMLCanvasElement, face: Face) {
+    const thumbnail = await this.#thumbnails.get(face)?.bitmap;
     if (!thumbnail) return;
     [canvas.width, canvas.height] = [thumbnail.width, thumbnail.height];
     canvas.getContext("2d")?.drawImage(thumbnail, 0, 0);
   }
 
   #updateLabels() {
-    byId("face-choice-title", HTMLLegendElement).textContent = t("face.several", { n: this.#faces.length });
+    this.#group.ariaLabel = t("face.several", { n: this.#faces.length });
     for (const [index, input] of this.#inputs().entries()) input.ariaLabel = t("face.number", { n: index + 1 });
     for (const [index, button] of this.#earlier.querySelectorAll("button").entries()) {
-      button.title = button.ariaLabel = t("face.earlier", { name: this.#before[index + 1]?.name ?? "" });
+      button.title = button.ariaLabel = t("face.earlier", { name: this.#before[index]?.name ?? "" });
     }
   }
 
   #inputs() {
-    return this.#group.querySelectorAll("input");
+    return this.#options.querySelectorAll("input");
   }
 }
