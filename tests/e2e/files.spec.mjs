@@ -16,7 +16,7 @@ test("the first valid file of several is opened, and a notice says so", async ({
   for (const way of /** @type {const} */ (["drop", "paste"])) {
     await bring(page, way, [notes, phone, photo]);
     await visitor.untilFace();
-    assert.match((await visitor.notice()).text, /^Opened one of 3 files\s+me & you\.png is open\. You can open one face at a time\.$/);
+    assert.match((await visitor.notice()).text, /^Opened one of 3 files\s+me & you\.png is open\. To open several files, choose only photos\.$/);
     await page.selectOption("#language", "pt");
     assert.match((await visitor.notice()).text, /^Um de 3 arquivos foi aberto/);
     await page.selectOption("#language", "en");

@@ -22,6 +22,7 @@ import { FaceChoice } from "./photo/face-choice.ts";
 import { setUpPhotoInput } from "./photo/photo-input.ts";
 import { PhotoOverlay } from "./photo/photo-overlay.ts";
 import { loadSample, showSample } from "./photo/sample.ts";
+import { SeveralPhotos } from "./photo/several-photos.ts";
 import { VisionClient } from "./photo/vision-client.ts";
 import { storeOffline, useVersion } from "./offline.ts";
 import { setUpGestures } from "./viewport/gestures.ts";
@@ -57,7 +58,14 @@ const opening = pageOpening({ host, vision, overlay, faceChoice, autosave, onOpe
 
 setUpTheme(applyPreferences);
 REDUCED_MOTION.addEventListener("change", applyPreferences);
-setUpPhotoInput((file) => opening.openFile(file));
+const severalPhotos = new SeveralPhotos(opening);
+setUpPhotoInput({
+  open: (file) => {
+    severalPhotos.close();
+    opening.openFile(file);
+  },
+  ask: (photos) => severalPhotos.ask(photos),
+});
 setUpCamera((photo) => opening.openFile(photo, "selfie"));
 setUpLivePreview({ host, vision, opening });
 onAction("sample", () => opening.openFile(loadSample(), "sample"));

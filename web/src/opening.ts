@@ -53,7 +53,7 @@ export interface Listeners {
 }
 
 /** Number of earlier photos whose faces are offered. */
-const MAX_PHOTOS = 3;
+export const MAX_EARLIER_PHOTOS = 9;
 
 /** Saved files, which open without face detection. */
 const SAVED_NAME = /\.(glb|rosto)$/i;
@@ -96,6 +96,11 @@ export class Opening {
     return this.#current?.faces ?? [];
   }
 
+  /** Number of photos that a face can have. */
+  get maxPhotos() {
+    return this.#host.then((host) => host?.catalogue.maxPhotos ?? 1);
+  }
+
   /** The face shown last of each other photo, latest first. */
   get recent() {
     const others = this.#earlier.map(({ face }) => face).filter((face) => !this.faces.includes(face));
@@ -131,6 +136,31 @@ export class Opening {
     });
   }
 
+  /** Opens photos of different people, the first one last, so that it stays. Reports each photo that cannot be opened. */
+  openEach(photos: File[]) {
+    return this.#run(async (signal) => {
+      for (const photo of photos.slice(0, 1 + MAX_EARLIER_PHOTOS).reverse()) {
+        await this.#orReport(photo, signal, async () => this.#open(await this.#read(photo, signal), signal));
+      }
+    });
+  }
+
+  /** Opens the first photo that has a face, and adds the others to it. Reports each photo that cannot be used. */
+  openTogether(photos: File[]) {
+    return this.#run(async (signal) => {
+      const max = await this.maxPhotos;
+      let face: Face | undefined;
+      for (const photo of photos) {
+        if ((face?.pictures.length ?? 0) >= max) break;
+        await this.#orReport(photo, signal, async () => {
+          if (face) return this.#addPhoto(photo, signal);
+          await this.#open(await this.#read(photo, signal), signal);
+          face = this.face;
+        });
+      }
+    });
+  }
+
   /** Opens another face of the current photo, or returns to a face shown earlier; ignores other faces. */
   openFace(face: Face) {
     return this.#run(async (signal) => {
@@ -155,13 +185,7 @@ export class Opening {
   /** Adds further photos of the open face. Reports each photo that cannot be added. */
   addPhotos(files: File[]) {
     return this.#run(async (signal) => {
-      for (const file of files) {
-        signal.throwIfAborted();
-        await this.#addPhoto(file, signal).catch((error) => {
-          if (isTrap(error) || signal.aborted) throw error;
-          this.#listeners.failed?.(error, file.name);
-        });
-      }
+      for (const file of files) await this.#orReport(file, signal, () => this.#addPhoto(file, signal));
     });
   }
 
@@ -218,6 +242,15 @@ export class Opening {
     } finally {
       this.#listeners.ended?.(!signal.aborted);
     }
+  }
+
+  /** Uses one of several photos. Reports a failure, and goes on. */
+  async #orReport(photo: File, signal: AbortSignal, use: () => Promise<void>) {
+    signal.throwIfAborted();
+    await use().catch((error) => {
+      if (isTrap(error) || signal.aborted) throw error;
+      this.#listeners.failed?.(error, photo.name);
+    });
   }
 
   /** Runs `act` after the changes queued before it. */
@@ -297,7 +330,7 @@ export class Opening {
     const shown = this.#current ? [this.#current, ...this.#earlier] : [];
     const before = shown.filter(({ face }) => face !== next.face);
     const photos = new Set([next, ...before].map(({ face }) => photoKey(face)));
-    const offered = [...photos].slice(0, 1 + MAX_PHOTOS);
+    const offered = [...photos].slice(0, 1 + MAX_EARLIER_PHOTOS);
     this.#earlier = before.filter(({ face }) => offered.includes(photoKey(face)));
     this.#current = next;
   }
@@ -319,7 +352,7 @@ export class Opening {
 
   async #addPhoto(file: File, signal: AbortSignal) {
     const host = await this.#host;
-    const max = host?.catalogue.maxPhotos ?? 1;
+    const max = await this.maxPhotos;
     const count = this.face?.pictures.length ?? 0;
     if (count >= max) throw { code: "too-many-photos", message: `${max} photos`, hint: "" };
     const { face, bitmaps } = await this.#read(file, signal);
