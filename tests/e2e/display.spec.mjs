@@ -47,7 +47,7 @@ test("lines, points, density and openings change the view and can be reverted", 
 });
 
 test("the photo keeps its light unless the lamp is enabled; sphere and colour control the lamp", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
-  await editor.unfold("section-view");
+  await editor.unfold("light");
   assert.ok(await page.locator("#light-lamp").evaluate((lamp) => lamp.disabled), "the lamp is enabled without effect");
   const own = await editor.view();
   await page.check("#light-photo");

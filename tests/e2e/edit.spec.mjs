@@ -11,6 +11,7 @@ test.use({ visit: { expert: true } });
 test("a dropped portrait becomes a mesh in its colours, and a click selects a point", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await assertPortraitColours(await visitor.view());
+  await visitor.selectBy("landmark");
   await page.click("#viewport");
   assert.match(await page.inputValue("#landmark-search"), / · \d+$/);
   assert.ok(await page.isVisible("#landmark-tag"));
@@ -65,7 +66,7 @@ test("rotating details follow each tick and give the command line's mesh", { tag
 });
 
 test("light, display and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ editor }) => {
-  await editor.unfold("section-view");
+  await editor.unfold("light");
   await editor.page.check("#light-photo");
   const first = await editor.view();
   await editor.page.locator("#light-lamp .number-field").first().fill("80");

@@ -19,6 +19,7 @@ test("with the attribute panel, the element shows the page's shape panel, and ea
   }
   assert.deepEqual(await states(), [3, 1.5]);
   assert.equal((await visitor.names()).filter((name) => name === "rosto-change").length, 2);
+  await panel("one").locator("#section-history > summary").click();
   await panel("one").getByRole("button", { name: "Undo", exact: true }).click();
   assert.deepEqual(await states(), [0, 1.5]);
   assert.ok(await page.isEnabled("[data-of=host]"), "a button of the host page is disabled");

@@ -103,7 +103,7 @@ test("a face opened during a restart leaves the saved work unchanged", async ({ 
 async function workOn(visitor) {
   const { page } = visitor;
   await visitor.choosePreset("paper");
-  await visitor.unfold("section-view");
+  await visitor.unfold("light");
   await page.selectOption("#density", "1");
   await page.check("input[name='shading'][value='colours']", { force: true });
   await page.locator("#light-lamp .number-field").first().fill("80");

@@ -143,7 +143,7 @@ export class RostoStudio extends HTMLElement {
     this.#now(({ host }) => {
       const vertex = index("landmark", landmark, host.catalogue.landmarks.length);
       const [dx, dy, dz] = point("offset_mm", offset_mm);
-      host.attempt({ "select-at": vertex });
+      host.attempt({ select: { landmark: vertex } });
       const [x, y, z] = host.answer((studio) => studio.state().offsetMm);
       return [{ offset: [x + dx, y + dy, z + dz] }, "commit"];
     });
