@@ -87,13 +87,13 @@ test("the panel shows the GLB's name, content, size and verdict until the face c
 test("the print measurements match the command line, and the STL matches byte for byte", { tag: "@rare" }, async ({ visitor, page }) => {
   await openAsCommandLine(visitor);
   await visitor.reveal("#print-facts");
-  for (const [solid, length] of [["thickness", "2"], ["flat", "3"], ["surface"]]) {
+  for (const [body, length] of [["thickness:2", "2"], ["flat", "27"], ["surface"]]) {
+    const [solid] = body.split(":");
     await page.check(`input[name="solid"][value="${solid}"]`, { force: true });
-    const shown = page.locator("#print .slider:visible");
-    assert.equal(await shown.count(), length ? 1 : 0);
-    if (length) assert.equal(await shown.locator(".number-field").inputValue(), length);
-    const body = [solid, ...(length ? [length] : [])].join(":");
-    const { files, log } = await filesByCommandLine(SAMPLE, "face.stl", [...PAGE_OPTIONS, "--solid", body]);
+    const shown = page.locator("#print .slider:visible .number-field");
+    assert.deepEqual(await shown.evaluateAll((fields) => fields.map(({ value }) => value)), length ? [length, "80"] : []);
+    const height = length ? ["--height-mm", "80"] : [];
+    const { files, log } = await filesByCommandLine(SAMPLE, "face.stl", [...PAGE_OPTIONS, "--solid", body, ...height]);
     const measures = await measured(page);
     assert.deepEqual(measures, measuresIn(log), body);
     assert.equal(measures.length > 0, solid !== "surface");
@@ -192,7 +192,7 @@ function refuseWalls({ most_mm }) {
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function (message, ...rest) {
     const isThick = Number(/** @type {HTMLInputElement} */ (document.querySelector("#solid-thickness-mm .number-field")).value) > most_mm;
-    if (!isThick || !["solid-facts", "write"].includes(message.type)) return post.call(this, message, ...rest);
+    if (!isThick || !["print", "write"].includes(message.type)) return post.call(this, message, ...rest);
     const error = { code: "too-thick", message: "too thick", hint: "", maxMm: most_mm };
     const reply = new MessageEvent("message", { data: { type: "failed", id: message.id, error } });
     setTimeout(() => this.dispatchEvent(reply));

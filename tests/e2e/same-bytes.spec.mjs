@@ -31,9 +31,9 @@ const PAINTED = [
 
 /** @type {Row[]} */
 const PRINTED = [
-  { format: "3mf", choose: { solid: "thickness", length: "2" }, options: [] },
-  { format: "3mf", choose: { solid: "flat", length: "3" }, options: ["--solid", "flat:3"] },
-  { format: "stl", choose: { solid: "thickness", length: "1.2", density: "1" }, options: ["--solid", "thickness:1.2", "--density", "1"] },
+  { format: "3mf", choose: { solid: "thickness", length: "2" }, options: ["--height-mm", "80"] },
+  { format: "3mf", choose: { solid: "flat", length: "30" }, options: ["--height-mm", "80", "--solid", "flat:30"] },
+  { format: "stl", choose: { solid: "thickness", length: "1.2", density: "1" }, options: ["--height-mm", "80", "--solid", "thickness:1.2", "--density", "1"] },
 ];
 
 for (const [kind, rows] of Object.entries({ meshes: PAINTED, printed: PRINTED })) {

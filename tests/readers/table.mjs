@@ -55,7 +55,7 @@ const MORPHS = { shape: FACE, baseColour: "photo", ...MORPH_TARGETS };
 /** For animation. */
 const AVATAR = { shape: { ...FACE, edits: EXPRESSED }, baseColour: "photo", ...EXPRESSIONS, eyesAndMouth: "pieces" };
 /** For printers. */
-const BODIES = ["thickness:2", "flat:3"].map((solid) => ({ shape: FACE, options: ["--solid", solid], body: "solid" }));
+const BODIES = ["thickness:2", "flat:60"].map((solid) => ({ shape: FACE, options: ["--solid", solid], body: "solid" }));
 
 /** Files for the readers. @type {Row[]} */
 export const ROWS = [

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use rosto::{ExportedFile, FaceMesh, FileOptions, Format, MeshRequest};
-use rosto_export::{PLA_G_PER_CM3, SolidFacts};
+use rosto_export::{PrintPose, SolidFacts};
 use rosto_face::{FaceModel, MAX_PHOTOS, PhotoLens};
 use rosto_landmarks::FaceFinder;
 use rosto_photo::Photo;
@@ -82,14 +82,28 @@ impl<'a> Template<'a> {
     }
 }
 
-/// Measures of a printed body, and a warning if creases were smoothed.
+/// Measures of a printed body, warnings about thin walls and smoothed creases, and how to print it.
 fn body_notes(solid: &SolidFacts) -> Vec<String> {
     let [width, height, depth] = solid.size_mm.to_array();
-    let (volume, mass) = (solid.volume_cm3, solid.mass_g(PLA_G_PER_CM3));
+    let SolidFacts { volume_cm3, pla_g, asked_mm, thinnest_mm, thin_share, overhang_cm2, .. } = solid;
     let mut lines = vec![format!(
-        "a body of {volume:.1} cm³, {width:.0} × {height:.0} × {depth:.0} mm, {mass:.0} g in solid PLA; {:.1} mm at its thinnest",
-        solid.thinnest_mm
+        "a body of {volume_cm3:.1} cm³, {width:.0} × {height:.0} × {depth:.0} mm, {pla_g:.0} g in PLA with 15 % infill; \
+         {thinnest_mm:.1} mm at its thinnest"
     )];
+    if *thin_share > 0.0 {
+        lines.push(format!(
+            "the wall is thinner than {asked_mm} mm on {:.0} % of the face: it may break there",
+            (100.0 * thin_share).max(1.0)
+        ));
+    }
+    let pose = match solid.pose {
+        PrintPose::Lying => "lying on its back",
+        PrintPose::Standing => "standing",
+    };
+    lines.push(match *overhang_cm2 > 0.0 {
+        true => format!("print it {pose}, with supports: {:.0} cm² overhang", overhang_cm2.max(1.0)),
+        false => format!("print it {pose}, without supports"),
+    });
     if solid.moved_mm > 0.0 {
         lines.push(format!("sharp creases were smoothed by up to {:.1} mm to fit the wall", solid.moved_mm));
     }

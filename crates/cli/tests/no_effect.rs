@@ -56,11 +56,16 @@ fn eyes_in_other_formats_and_meshes() {
 #[test]
 fn bodies_in_other_formats() {
     for extension in ["glb", "gltf", "obj", "ply", "usdz", "png", "json"] {
-        refused(&format!("solid.{extension}"), &["--solid", "flat:3"], &["--solid", ".stl and .3mf"]);
+        refused(&format!("solid.{extension}"), &["--solid", "flat:30"], &["--solid", ".stl and .3mf"]);
     }
     refused("solid.3mf", &["--solid", "surface"], &["--solid", "closed body"]);
-    for solid in ["thickness", "thickness:0", "flat:-3", "flat:nan", "cube:3"] {
-        refused("solid.stl", &["--solid", solid], &[solid, "thickness:MM, flat:MM and surface"]);
+    refused("height.ply", &["--height-mm", "80"], &["--height-mm", ".stl and .3mf"]);
+    refused("height.stl", &["--height-mm", "80", "--solid", "surface"], &["--height-mm", "closed body"]);
+    for height in ["0", "-80", "nan", "death"] {
+        refused("height.stl", &["--height-mm", height], &[height, "from 10 to 500 mm"]);
+    }
+    for solid in ["thickness", "thickness:0", "flat:3", "flat:nan", "cube:3"] {
+        refused("solid.stl", &["--solid", solid], &[solid, "thickness:MM"]);
     }
 }
 

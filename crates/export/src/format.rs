@@ -21,7 +21,7 @@ use glam::DVec3;
 use crate::model::MM_PER_M;
 use crate::texture;
 use crate::zip::{NamedFile, stored};
-use crate::{BaseColour, ExportError, GlbOptions, Model, Solid, SolidFacts, about, glb};
+use crate::{BaseColour, ExportError, GlbOptions, Model, Print, PrintedBody, SolidFacts, about, glb};
 
 rosto_mesh::named! {
     /// A mesh file format; its id is the file extension.
@@ -68,6 +68,8 @@ rosto_mesh::named! {
         Units = "units",
         /// Printable body made from the face.
         Solid = "solid",
+        /// Height of the printable body.
+        Height = "height-mm",
     }
 }
 
@@ -93,7 +95,7 @@ pub struct Content<'a> {
     /// glTF options; the colour source applies to all formats that support it.
     pub gltf: GlbOptions<'a>,
     /// The printable body.
-    pub solid: Solid,
+    pub print: Print,
     /// File name without extension, also used for sidecar files.
     pub name: &'a str,
     /// Positions in MediaPipe's normalised coordinates for JSON, or `None` for millimetres.
@@ -185,15 +187,15 @@ impl Format {
 
     /// Media type and supported options. Separate from the writers, which the page's module does not link.
     fn definition(self) -> (&'static str, &'static [ExportOption]) {
-        use ExportOption::{BaseColour, Edits, Expressions, Eyes, Material, Solid, TextureSize, Units};
+        use ExportOption::{BaseColour, Edits, Expressions, Eyes, Height, Material, Solid, TextureSize, Units};
         const GLTF: &[ExportOption] = &[BaseColour, TextureSize, Material, Edits, Expressions, Eyes];
         match self {
             Self::Glb => ("model/gltf-binary", GLTF),
             Self::Gltf => ("model/gltf+json", GLTF),
             Self::Obj => ("model/obj", &[BaseColour, TextureSize, Eyes]),
             Self::Ply => ("application/octet-stream", &[Eyes]),
-            Self::Stl => ("model/stl", &[Solid]),
-            Self::ThreeMf => ("model/3mf", &[Solid]),
+            Self::Stl => ("model/stl", &[Solid, Height]),
+            Self::ThreeMf => ("model/3mf", &[Solid, Height]),
             Self::Usdz => ("model/vnd.usdz+zip", &[BaseColour, TextureSize, Eyes]),
             Self::Png => ("image/png", &[BaseColour, TextureSize]),
             Self::Json => ("application/json", &[Units]),
@@ -219,9 +221,9 @@ impl<'a> Content<'a> {
     }
 
     fn stl(&self) -> Result<ExportedFile, ExportError> {
-        Ok(match self.solid.body(&self.model)? {
-            Some(body) => ExportedFile {
-                solid: Some(SolidFacts::of(&body)),
+        Ok(match self.print.body(&self.model)? {
+            Some(PrintedBody { body, .. }) => ExportedFile {
+                solid: Some(SolidFacts::of(&body, self.print.solid)),
                 ..stl::stl_of(body.topology().triangles(), body.positions_m()).into()
             },
             None => stl(&self.model)?.into(),
@@ -229,8 +231,9 @@ impl<'a> Content<'a> {
     }
 
     fn three_mf(&self) -> Result<ExportedFile, ExportError> {
-        let body = self.solid.body(&self.model)?.ok_or(ExportError::NoBody)?;
-        Ok(ExportedFile { solid: Some(SolidFacts::of(&body)), ..three_mf(&self.model, &body)?.into() })
+        let printed = self.print.body(&self.model)?.ok_or(ExportError::NoBody)?;
+        let solid = Some(SolidFacts::of(&printed.body, self.print.solid));
+        Ok(ExportedFile { solid, ..three_mf(&printed).into() })
     }
 
     fn png(&self) -> Result<ExportedFile, ExportError> {

@@ -27,11 +27,14 @@ pub use format::{
     Content, ExportOption, ExportedFile, Eyes, Format, JsonMesh, Units, mesh_json, obj, ply, stl, three_mf, usdz,
 };
 pub use glb::{GlbOptions, Material, Morph, TextureSize, glb, gltf};
-pub use model::{Model, Picture};
-pub use printable::{ParseSolidError, SOLID_MM, Solid, SolidFacts};
+pub use model::{Model, ModelEyes, Picture};
+pub use printable::{
+    DEPTH_MM, HEIGHT_MM, ParseHeightError, ParseSolidError, Print, PrintHeight, PrintPose, PrintedBody, SOLID_MM,
+    Solid, SolidFacts,
+};
 pub use reopen::{Reopened, reopen};
 pub use reopen_error::ReopenError;
-pub use rosto_solid::{PLA_G_PER_CM3, SolidError};
+pub use rosto_solid::SolidError;
 pub use saved::{SavedEdits, SavedFace, Source};
 pub use sniff::{FileKind, SNIFFED_BYTES, sniff};
 pub use texture::BaseColour;

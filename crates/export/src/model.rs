@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_face::{FaceModel, Photo};
+use rosto_face::{FaceModel, Gaze, Photo};
 use rosto_mesh::Topology;
 
 use crate::ExportError;
@@ -15,6 +15,8 @@ pub struct Model<'a> {
     pub positions_m: &'a [DVec3],
     /// A smoothed version of the positions, if any, used for printing where sharp folds leave no room for a wall.
     pub smoothed_m: Option<&'a [DVec3]>,
+    /// The eyes, which a print carves; `None` leaves them as they are.
+    pub eyes: Option<ModelEyes<'a>>,
     /// sRGB colour of each vertex.
     pub colours_srgb: &'a [[u8; 3]],
     /// The upright photo, if its pixels are known.
@@ -22,6 +24,16 @@ pub struct Model<'a> {
     /// The whole-face texture, if any, which also covers parts that the photo does not show. Its sides are powers of
     /// two, as some GPUs require.
     pub whole: Option<Picture<'a>>,
+}
+
+/// Place of the eyes in a mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct ModelEyes<'a> {
+    /// Triangles of the 468 landmarks, of which the mesh is a subdivision, with its triangles in the order of their
+    /// parents.
+    pub face: &'a [[u32; 3]],
+    /// Gaze of the right and the left eye, if known.
+    pub gazes: [Option<Gaze>; 2],
 }
 
 /// A picture mapped onto the mesh.
@@ -40,6 +52,7 @@ impl<'a> Model<'a> {
             topology: face.topology(),
             positions_m: face.positions_m(),
             smoothed_m: None,
+            eyes: None,
             colours_srgb: face.colours_srgb(),
             photo: face.picture().map(|pixels| Picture { pixels, uvs: face.uvs() }),
             whole: None,

@@ -1,123 +1,105 @@
 //! Printable bodies.
 
-use std::fmt;
-use std::str::FromStr;
+mod choices;
+mod facts;
+
+pub use choices::{DEPTH_MM, HEIGHT_MM, ParseHeightError, ParseSolidError, PrintHeight, SOLID_MM, Solid};
+pub use facts::{PrintPose, SolidFacts};
 
 use glam::DVec3;
+use rosto_face::CarvedEyes;
 use rosto_mesh::Surface;
-use rosto_solid::{Body, Closing};
+use rosto_solid::{Body, Carving, Closing};
 
 use crate::model::MM_PER_M;
 use crate::{ExportError, Model};
+use choices::{BACK_MM, extent};
+use facts::THIN;
 
-/// Shape of the printable body. Its text form is `thickness:2`, `flat:3` or `surface`, as on the command line.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Solid {
-    /// A wall of constant thickness.
-    Thickness {
-        /// Thickness in mm.
-        mm: f64,
-    },
-    /// A relief with a flat back.
-    FlatBack {
-        /// Distance from the deepest point to the back, in mm.
-        mm: f64,
-    },
-    /// The open surface, which cannot be printed as it is.
-    Surface,
+/// A body for 3D printing.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Print {
+    /// Its shape.
+    pub solid: Solid,
+    /// Its height. Lengths of `solid` are those of the print.
+    pub height: PrintHeight,
 }
 
-/// Range of the thickness in mm; the minimum is a nozzle's width.
-pub const SOLID_MM: [f64; 2] = [0.4, 50.0];
+/// The body of a print.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PrintedBody {
+    /// The body, in metres.
+    pub body: Body,
+    /// Size of the print, relative to the face.
+    pub scale: f64,
+    /// sRGB colour of each vertex of its front.
+    pub colours_srgb: Vec<[u8; 3]>,
+}
 
-impl Default for Solid {
-    /// A wall that is stable in plastic and still light.
-    fn default() -> Self {
-        Self::Thickness { mm: 2.0 }
+impl PrintedBody {
+    /// Positions in metres, as large as the face.
+    pub fn face_sized_m(&self) -> Vec<DVec3> {
+        self.body.positions_m().iter().map(|position| *position / self.scale).collect()
     }
-}
 
-impl fmt::Display for Solid {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Thickness { mm } => write!(f, "thickness:{mm}"),
-            Self::FlatBack { mm } => write!(f, "flat:{mm}"),
-            Self::Surface => write!(f, "surface"),
-        }
-    }
-}
-
-/// Error for a text that is not a [`Solid`].
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{text:?} is not one of thickness:MM, flat:MM and surface, with MM from {} to {}", SOLID_MM[0], SOLID_MM[1])]
-pub struct ParseSolidError {
-    /// The rejected text.
-    pub text: String,
-}
-
-impl FromStr for Solid {
-    type Err = ParseSolidError;
-
-    fn from_str(text: &str) -> Result<Self, ParseSolidError> {
-        let [least, most] = SOLID_MM;
-        let length = |mm: &str| mm.parse().ok().filter(|mm: &f64| (least..=most).contains(mm));
-        let found = match text.split_once(':') {
-            Some(("thickness", mm)) => length(mm).map(|mm| Self::Thickness { mm }),
-            Some(("flat", mm)) => length(mm).map(|mm| Self::FlatBack { mm }),
-            None if text == "surface" => Some(Self::Surface),
-            _ => None,
+    /// sRGB colour of each vertex: clay, and amber where the wall is notably thinner than requested.
+    pub fn thinness_colours(&self, solid: Solid) -> Vec<[u8; 3]> {
+        let front = self.body.front_vertices();
+        let is_thin = |vertex: usize| match solid {
+            // A wall's back has a vertex behind each of the first ones, those of the uncarved front.
+            Solid::Thickness { mm } => {
+                let of_front = if vertex < front { vertex } else { vertex - front };
+                self.body.thickness_m()[of_front] < THIN * mm / MM_PER_M
+            }
+            Solid::FlatBack { .. } | Solid::Surface => false,
         };
-        found.ok_or_else(|| ParseSolidError { text: text.to_owned() })
+        (0..self.body.positions_m().len()).map(|vertex| if is_thin(vertex) { AMBER } else { CLAY }).collect()
     }
 }
 
-impl Solid {
-    /// Makes the body from a model; `None` for [`Self::Surface`].
+/// Colours of a printed body on the stage.
+const CLAY: [u8; 3] = [0xc9, 0xbd, 0xb0];
+const AMBER: [u8; 3] = [0xf0, 0x9a, 0x14];
+
+impl Print {
+    /// Makes the body from a model; `None` for [`Solid::Surface`]. The model's eyes are carved.
     ///
     /// # Errors
     /// [`ExportError`] if a length does not match, a position is not finite, the mesh is empty, or the body cannot be
     /// made.
-    pub fn body(self, model: &Model<'_>) -> Result<Option<Body>, ExportError> {
+    pub fn body(self, model: &Model<'_>) -> Result<Option<PrintedBody>, ExportError> {
         model.check()?;
-        let closing = match self {
-            Self::Surface => return Ok(None),
-            Self::Thickness { mm } => Closing::Thickness { thickness_m: mm / MM_PER_M },
-            Self::FlatBack { mm } => Closing::FlatBack { thickness_m: mm / MM_PER_M },
+        let closing = match self.solid {
+            Solid::Surface => return Ok(None),
+            Solid::Thickness { mm } => Closing::Thickness { thickness_m: mm / MM_PER_M },
+            Solid::FlatBack { .. } => Closing::FlatBack { thickness_m: BACK_MM / MM_PER_M },
         };
-        let surface = Surface::new(model.topology, model.positions_m).map_err(rosto_solid::SolidError::from)?;
-        let smoothed = model.smoothed_m.unwrap_or(model.positions_m);
-        Ok(Some(Body::closed_or_smoothed(surface, smoothed, closing)?))
-    }
-}
-
-/// Measurements of a printable body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SolidFacts {
-    /// Enclosed volume in cm³.
-    pub volume_cm3: f64,
-    /// Size of the bounding box in mm.
-    pub size_mm: DVec3,
-    /// Smallest wall thickness in mm.
-    pub thinnest_mm: f64,
-    /// Largest displacement by smoothing, in mm, where the face intersected itself or left no room for the wall; 0 if
-    /// there was no smoothing.
-    pub moved_mm: f64,
-}
-
-impl SolidFacts {
-    /// Measures a body.
-    pub fn of(body: &Body) -> Self {
-        const CM3_PER_M3: f64 = 1e6;
-        Self {
-            volume_cm3: body.volume_m3() * CM3_PER_M3,
-            size_mm: body.size_m() * MM_PER_M,
-            thinnest_mm: body.thinnest_m() * MM_PER_M,
-            moved_mm: body.moved_m() * MM_PER_M,
-        }
+        let scale = self.scale(model.positions_m);
+        let scaled = |positions_m: &[DVec3]| positions_m.iter().map(|position| *position * scale).collect::<Vec<_>>();
+        let (positions_m, smoothed_m) = (scaled(model.positions_m), model.smoothed_m.map(scaled));
+        let surface = Surface::new(model.topology, &positions_m).map_err(rosto_solid::SolidError::from)?;
+        let body = Body::closed_or_smoothed(surface, smoothed_m.as_ref().unwrap_or(&positions_m), closing)?;
+        let Some(eyes) = model.eyes else {
+            return Ok(Some(PrintedBody { body, scale: scale.y, colours_srgb: model.colours_srgb.to_vec() }));
+        };
+        let front_m = &body.positions_m()[..body.front_vertices()];
+        let eyes = CarvedEyes::new(eyes.face, model.topology, front_m, eyes.gazes);
+        // A flat relief has room for flat eyes only.
+        let depth_share = (2.0 * scale.z / scale.y).min(1.0);
+        let depths_m: Vec<f64> = eyes.depths(front_m).into_iter().map(|depth_m| depth_share * depth_m).collect();
+        let carving = Carving { topology: eyes.topology(), midpoints: eyes.midpoints(), depths_m: &depths_m };
+        let body = body.carved(model.topology, &carving);
+        let mut colours_srgb = eyes.colours(model.colours_srgb);
+        colours_srgb.truncate(body.front_vertices());
+        Ok(Some(PrintedBody { body, scale: scale.y, colours_srgb }))
     }
 
-    /// Mass in g when filled with a material of the given density.
-    pub fn mass_g(&self, density_g_per_cm3: f64) -> f64 {
-        self.volume_cm3 * density_g_per_cm3
+    /// Factors along x, y and z from the face to its print.
+    fn scale(self, positions_m: &[DVec3]) -> DVec3 {
+        let [face_height_mm, face_depth_mm] = [1, 2].map(|axis| extent(positions_m, axis) * MM_PER_M);
+        let scale = if self.height == PrintHeight::Life { 1.0 } else { self.height.mm(positions_m) / face_height_mm };
+        let Solid::FlatBack { depth_mm } = self.solid else { return DVec3::splat(scale) };
+        let depth_mm = depth_mm.unwrap_or_else(|| Solid::usual_depth_mm(scale * face_height_mm));
+        DVec3::new(scale, scale, scale.min((depth_mm - BACK_MM) / face_depth_mm))
     }
 }

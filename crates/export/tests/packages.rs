@@ -14,16 +14,17 @@ use rosto_export::*;
 use rosto_face::{FaceModel, Triangulation};
 
 fn write(face: &FaceModel, format: Format, base_colour: BaseColour, solid: Solid) -> Result<ExportedFile, ExportError> {
+    let print = Print { solid, ..Print::default() };
     let (model, rest_m) = (model(face), face.positions_m());
     let gltf = GlbOptions { base_colour, ..GlbOptions::default() };
-    format.write(&Content { model, rest_m, gltf, solid, name: "my face", positions_image: None })
+    format.write(&Content { model, rest_m, gltf, print, name: "my face", positions_image: None })
 }
 
 fn print(solid: Solid) -> ExportedFile {
     write(&face(Triangulation::Canonical), Format::ThreeMf, BaseColour::Photo, solid).unwrap()
 }
 
-const SOLIDS: [Solid; 2] = [Solid::Thickness { mm: 2.0 }, Solid::FlatBack { mm: 3.0 }];
+const SOLIDS: [Solid; 2] = [Solid::Thickness { mm: 2.0 }, Solid::FlatBack { depth_mm: Some(60.0) }];
 
 /// Values of an attribute, from all elements with a name.
 fn attributes<'a>(xml: &'a str, element: &str, attribute: &str) -> Vec<&'a str> {
@@ -115,14 +116,106 @@ fn unprintable_models_are_refused() {
 
 #[test]
 fn solids_round_trip_as_text() {
-    for solid in [Solid::Thickness { mm: 0.4 }, Solid::FlatBack { mm: 12.5 }, Solid::Surface] {
+    for solid in [
+        Solid::Thickness { mm: 0.4 },
+        Solid::FlatBack { depth_mm: Some(12.5) },
+        Solid::FlatBack { depth_mm: None },
+        Solid::Surface,
+    ] {
         assert_eq!(solid.to_string().parse(), Ok(solid));
     }
-    for text in
-        ["", "flat", "thickness:", "thickness:0", "flat:-1", "thickness:nan", "thickness:51", "surface:1", "cube"]
-    {
+    for text in [
+        "",
+        "flat:",
+        "flat:3",
+        "thickness:",
+        "thickness:0",
+        "flat:-1",
+        "thickness:nan",
+        "thickness:51",
+        "surface:1",
+        "cube",
+    ] {
         assert_eq!(text.parse::<Solid>(), Err(ParseSolidError { text: text.to_owned() }));
     }
+}
+
+#[test]
+fn heights_round_trip_as_text() {
+    for height in [PrintHeight::Life, PrintHeight::Mm(10.0), PrintHeight::Mm(80.5)] {
+        assert_eq!(height.to_string().parse(), Ok(height));
+    }
+    for text in ["", "life:1", "9.9", "501", "-80", "nan", "80 mm"] {
+        assert_eq!(text.parse::<PrintHeight>(), Err(ParseHeightError { text: text.to_owned() }));
+    }
+}
+
+/// The body of a print, and its measures.
+fn printed(face: &FaceModel, solid: Solid, height: PrintHeight) -> (rosto_solid::Body, SolidFacts) {
+    let PrintedBody { body, .. } = Print { solid, height }.body(&model(face)).unwrap().unwrap();
+    let facts = SolidFacts::of(&body, solid);
+    (body, facts)
+}
+
+#[test]
+fn a_print_has_its_height_and_the_thickness_of_the_print() {
+    let face = face(Triangulation::Canonical);
+    let solid = Solid::Thickness { mm: 1.2 };
+    let life = printed(&face, solid, PrintHeight::Life).1;
+    let face_mm = PrintHeight::Life.mm(face.positions_m());
+    for mm in [40.0, 80.0, face_mm] {
+        let (body, facts) = printed(&face, solid, PrintHeight::Mm(mm));
+        assert!((facts.size_mm.y / mm - 1.0).abs() < 0.02, "{mm}: {}", facts.size_mm);
+        let front = body.positions_m()[..body.front_vertices()].iter().zip(face.positions_m());
+        if facts.moved_mm == 0.0 {
+            let stray = front.map(|(own, face)| own.distance(*face * (mm / face_mm))).fold(0.0, f64::max);
+            assert!(stray < 1e-12, "{mm}: the face is only scaled");
+        }
+        let thick = body.thickness_m().iter().filter(|&&m| (0.00119..=0.00121).contains(&m)).count();
+        assert!(2 * thick > body.thickness_m().len(), "{mm}: most of the wall is 1.2 mm of the print");
+        // The wall keeps its thickness while the area shrinks with the square of the size.
+        let share = facts.volume_cm3 / life.volume_cm3 / (mm / face_mm).powi(2);
+        assert!((0.8..1.2).contains(&share), "{mm}: {share}");
+    }
+}
+
+#[test]
+fn a_relief_is_as_deep_as_requested_and_never_stretched() {
+    let face = face(Triangulation::Canonical);
+    let along = |axis: usize| {
+        let lengths = face.positions_m().iter().map(move |position| position[axis]);
+        let [low, high] = [f64::min, f64::max].map(|end| lengths.clone().reduce(end).unwrap());
+        1000.0 * (high - low)
+    };
+    for height in [PrintHeight::Mm(40.0), PrintHeight::Mm(80.0), PrintHeight::Life] {
+        let height_mm = height.mm(face.positions_m());
+        let natural_mm = along(2) * height_mm / along(1);
+        for depth_mm in [4.0, 12.0, 30.0, 60.0, 150.0] {
+            let (body, facts) = printed(&face, Solid::FlatBack { depth_mm: Some(depth_mm) }, height);
+            assert!((facts.size_mm.z - (natural_mm + 2.0).min(depth_mm)).abs() < 1e-9, "{height}, {depth_mm}");
+            assert!((facts.thinnest_mm - 2.0).abs() < 1e-9 && facts.thin_share == 0.0, "2 mm behind the deepest point");
+            assert_eq!((facts.pose, facts.overhang_cm2), (PrintPose::Lying, 0.0), "{height}, {depth_mm}");
+            let front = body.positions_m()[..468].iter().zip(face.positions_m());
+            let scale = height_mm / along(1);
+            assert!(front.into_iter().all(|(own, face)| (*own - *face * scale).truncate().length() < 1e-12));
+        }
+        let usual = printed(&face, Solid::FlatBack { depth_mm: None }, height).1;
+        assert!((usual.size_mm.z - height_mm / 3.0).abs() < 1e-9 || usual.size_mm.z < height_mm / 3.0, "{height}");
+    }
+}
+
+#[test]
+fn a_thin_wall_and_the_supports_of_a_mask_are_reported() {
+    let face = face(Triangulation::Canonical);
+    let small = printed(&face, Solid::Thickness { mm: 2.0 }, PrintHeight::Mm(40.0)).1;
+    assert_eq!(small.asked_mm, 2.0);
+    assert_eq!(small.thin_share > 0.0, small.thinnest_mm < 1.9, "{small:?}");
+    assert!((0.0..1.0).contains(&small.thin_share), "{small:?}");
+    let mask = printed(&face, Solid::Thickness { mm: 2.0 }, PrintHeight::Life).1;
+    assert!(mask.overhang_cm2 > 1.0, "a hollow needs supports: {mask:?}");
+    assert!((mask.pla_g - 1.24 * mask.volume_cm3).abs() < 1e-9, "two shells of 1.2 mm fill a wall of 2 mm");
+    let relief = printed(&face, Solid::FlatBack { depth_mm: None }, PrintHeight::Life).1;
+    assert!(relief.pla_g < 0.5 * 1.24 * relief.volume_cm3, "mostly infill: {relief:?}");
 }
 
 #[test]

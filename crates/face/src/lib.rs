@@ -6,6 +6,7 @@
 mod areas;
 mod camera;
 mod canonical;
+mod carved_eyes;
 mod cheeks;
 mod contours;
 mod error;
@@ -29,6 +30,7 @@ pub use camera::{Camera, Pose};
 pub use canonical::{
     MAX_DENSITY, Triangulation, canonical_positions_m, canonical_uvs, crowded_landmarks, opening_edges,
 };
+pub use carved_eyes::{CarvedEyes, Gaze};
 pub use cheeks::{covered_cheek, face_width_px};
 pub use contours::OVAL;
 pub use error::FaceError;

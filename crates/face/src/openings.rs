@@ -284,7 +284,8 @@ fn behind(on_rim: &[(u32, f64)], mesh_vertices: &[u32]) -> Vec<(u32, f64)> {
     own.chain(mesh_vertices.iter().map(|&source| (source, middle))).collect()
 }
 
-fn corners(opening: Opening) -> [u32; 2] {
+/// Landmarks at the corners of an eye, outer first, or of the mouth.
+pub(crate) fn corners(opening: Opening) -> [u32; 2] {
     match opening {
         Opening::RightEye => [33, 133],
         Opening::LeftEye => [263, 362],

@@ -24,11 +24,13 @@ impl MeshRequest {
         let is_open = self.triangulation == Triangulation::Tessellation;
         let has_targets = options.expressions == ExpressionsAs::MorphTargets;
         let has_edit_targets = options.edits == EditsAs::MorphTargets;
-        use ExportOption::{Edits, Eyes, Solid as SolidBody, TextureSize};
+        use ExportOption::{Edits, Eyes, Height, Solid as SolidBody, TextureSize};
+        let is_surface = options.print.solid == Solid::Surface;
         let refused = [
             (by_colours && format == Format::Png, ExportOption::BaseColour, "a .png has no vertex colours"),
             (by_colours && is_given(TextureSize), TextureSize, "base colour `colours` writes no texture"),
-            (options.solid == Solid::Surface && format == Format::ThreeMf, SolidBody, "a .3mf needs a closed body"),
+            (is_surface && format == Format::ThreeMf, SolidBody, "a .3mf needs a closed body"),
+            (is_surface && is_given(Height), Height, "only a closed body is scaled"),
             (is_given(Eyes) && has_targets, Eyes, "an expression rig implies pieces"),
             (is_given(Eyes) && is_open, Eyes, "the tessellation has openings for eyes and mouth"),
             (has_edit_targets && self.edits.is_empty(), Edits, "no edit is given"),

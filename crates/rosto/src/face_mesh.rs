@@ -1,5 +1,5 @@
 use glam::{DMat3, DVec2, DVec3};
-use rosto_export::{SavedEdits, SavedFace, Solid, SolidFacts, Units};
+use rosto_export::{Print, PrintedBody, SavedEdits, SavedFace, Units};
 use rosto_face::{FaceModel, Photo, Triangulation, View};
 use rosto_studio::{Document, Rest, SMOOTH_DENSITY, project, texture_side_px, whole_texture};
 
@@ -116,13 +116,12 @@ impl FaceMesh {
         [topology.vertex_count(), topology.triangles().len()]
     }
 
-    /// Measures of the body for printing; `None` for the open surface.
+    /// The body for printing; `None` for the open surface.
     ///
     /// # Errors
     /// [`Error::Export`] if the body cannot be built.
-    pub fn solid_facts(&self, solid: Solid) -> Result<Option<SolidFacts>, Error> {
-        let body = self.with_model(None, |model| solid.body(&model))?;
-        Ok(body.as_ref().map(SolidFacts::of))
+    pub fn printed(&self, print: Print) -> Result<Option<PrintedBody>, Error> {
+        Ok(self.with_model(None, |model| print.body(&model))?)
     }
 }
 

@@ -1,4 +1,4 @@
-use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material, Solid, TextureSize, Units};
+use rosto_export::{BaseColour, ExportOption, Eyes, Format, Material, Print, TextureSize, Units};
 
 use crate::Error;
 
@@ -45,11 +45,12 @@ pub struct FileOptions {
     /// Unit of the positions in JSON.
     pub units: Units,
     /// Body for printing.
-    pub solid: Solid,
+    pub print: Print,
 }
 
 impl FileOptions {
-    /// Sets an option to the choice with this id, or to the text of a [`Solid`].
+    /// Sets an option to the choice with this id, or to the text of a [`Solid`](rosto_export::Solid) or a
+    /// [`PrintHeight`](rosto_export::PrintHeight).
     ///
     /// # Errors
     /// [`Error::UnknownChoice`].
@@ -69,7 +70,11 @@ impl FileOptions {
             ExportOption::Eyes => choose!(eyes, Eyes),
             ExportOption::Units => choose!(units, Units),
             ExportOption::Solid => {
-                self.solid = text.parse().map_err(|_| unknown(&["thickness:MM", "flat:MM", "surface"]))?;
+                self.print.solid =
+                    text.parse().map_err(|_| unknown(&["thickness:MM", "flat:MM", "flat", "surface"]))?;
+            }
+            ExportOption::Height => {
+                self.print.height = text.parse().map_err(|_| unknown(&["life", "MM"]))?;
             }
         }
         Ok(())

@@ -28,8 +28,9 @@ pub use remarks::PhotoRemark;
 pub use settings::{anchor_rule, constraint};
 
 pub use rosto_export::{
-    BaseColour, ExportOption, ExportedFile, Eyes, FileKind, Format, Material, Reopened, SNIFFED_BYTES, SavedEdits,
-    SavedFace, Solid, SolidFacts, TextureSize, Units, project, reopen, sniff,
+    BaseColour, ExportOption, ExportedFile, Eyes, FileKind, Format, Material, Print, PrintHeight, PrintPose,
+    PrintedBody, Reopened, SNIFFED_BYTES, SavedEdits, SavedFace, Solid, SolidFacts, TextureSize, Units, project,
+    reopen, sniff,
 };
 pub use rosto_face::{FaceError, FaceModel, MAX_PHOTOS, Observation, PhotoLens, Region, Triangulation};
 #[cfg(feature = "find")]

@@ -1,8 +1,8 @@
 use rosto_export::{
-    Content, ExportedFile, GlbOptions, JsonMesh, Model, Morph, Picture, SavedEdits, Source, Units, about, mesh_json,
-    project,
+    Content, ExportedFile, GlbOptions, JsonMesh, Model, ModelEyes, Morph, Picture, SavedEdits, Source, Units, about,
+    mesh_json, project,
 };
-use rosto_face::{Photo, canonical_uvs};
+use rosto_face::{Gaze, Photo, canonical_uvs};
 use rosto_studio::{EditsInRig, Layer, Rig};
 
 use crate::{Error, FaceMesh, FileOptions, Format};
@@ -54,9 +54,9 @@ impl FaceMesh {
         let positions_image = positions_image.as_deref();
         let edits = self.saved_edits();
         let gltf = gltf(options, &morphs, Source { face: &self.face, edits: &edits });
-        let (rest_m, solid) = (self.document.rest(), options.solid);
+        let (rest_m, print) = (self.document.rest(), options.print);
         let written = self
-            .with_model(texture, |model| format.write(&Content { model, rest_m, gltf, solid, name, positions_image }));
+            .with_model(texture, |model| format.write(&Content { model, rest_m, gltf, print, name, positions_image }));
         Ok(written?)
     }
 
@@ -75,6 +75,7 @@ impl FaceMesh {
             topology: split_face.topology(),
             positions_m: base_m,
             smoothed_m: None,
+            eyes: None,
             colours_srgb: &split_face.colours(&self.colours_srgb()),
             photo: self.face.picture().map(|pixels| Picture { pixels, uvs: &uvs }),
             whole: texture.map(|pixels| Picture { pixels, uvs: &texture_uvs }),
@@ -85,8 +86,8 @@ impl FaceMesh {
             .collect();
         let edits = self.saved_edits();
         let gltf = gltf(options, &morphs, Source { face: &self.face, edits: &edits });
-        let solid = options.solid;
-        Ok(format.write(&Content { model, rest_m: base_m, gltf, solid, name, positions_image: None })?)
+        let print = options.print;
+        Ok(format.write(&Content { model, rest_m: base_m, gltf, print, name, positions_image: None })?)
     }
 
     /// The face in pieces, if the format and options need it.
@@ -132,6 +133,7 @@ impl FaceMesh {
             topology: self.document.topology(),
             positions_m: self.document.positions(),
             smoothed_m: Some(&smoothed_m),
+            eyes: Some(ModelEyes { face: self.face.topology().triangles(), gazes: Gaze::of_face(&self.face) }),
             colours_srgb: &self.colours_srgb(),
             photo: self.face.picture().map(|pixels| Picture { pixels, uvs: &uvs }),
             whole: texture.map(|pixels| Picture { pixels, uvs: &texture_uvs }),

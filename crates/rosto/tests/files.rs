@@ -66,8 +66,9 @@ fn each_format_is_written() {
         assert_eq!(file.solid.is_some(), format.supports(ExportOption::Solid), "{format:?}");
     }
     assert_eq!(mesh.counts(Format::Glb, &options), [7257, 14_368]);
-    assert!(mesh.solid_facts(Solid::FlatBack { mm: 3.0 }).unwrap().unwrap().volume_cm3 > 10.0);
-    assert_eq!(mesh.solid_facts(Solid::Surface).unwrap(), None);
+    let printed = |solid| mesh.printed(Print { solid, ..Print::default() }).unwrap();
+    assert!(printed(Solid::FlatBack { depth_mm: None }).unwrap().body.volume_m3() > 1e-5);
+    assert_eq!(printed(Solid::Surface), None);
 }
 
 fn positions(json: &[u8]) -> Vec<[f64; 3]> {

@@ -72,7 +72,8 @@ fn options_are_set_by_their_ids() {
         (ExportOption::Expressions, "morph-targets"),
         (ExportOption::Eyes, "pieces"),
         (ExportOption::Units, "image"),
-        (ExportOption::Solid, "flat:3"),
+        (ExportOption::Solid, "flat:30"),
+        (ExportOption::Height, "80"),
     ];
     assert_eq!(choices.map(|(option, _)| option), ExportOption::ALL);
     choices.into_iter().for_each(|(option, choice)| options.set(option, choice).unwrap());
@@ -84,7 +85,7 @@ fn options_are_set_by_their_ids() {
         expressions: ExpressionsAs::MorphTargets,
         eyes: Eyes::Pieces,
         units: Units::Image,
-        solid: Solid::FlatBack { mm: 3.0 },
+        print: Print { solid: Solid::FlatBack { depth_mm: Some(30.0) }, height: PrintHeight::Mm(80.0) },
     };
     assert_eq!(options, expected);
     let unknown = options.set(ExportOption::Material, "shiny").unwrap_err().to_string();

@@ -1,11 +1,13 @@
 use rosto::FileOptions;
-use rosto_export::Solid;
+use rosto_export::{Print, PrintHeight, Solid};
 use serde::Deserialize;
 use tsify::Tsify;
 
-/// Default thickness of a printed mask, and of a flat back, in mm.
+/// Default thickness of a printed mask, in mm.
 pub(crate) const THICKNESS_MM: f64 = 2.0;
-pub(crate) const BACK_MM: f64 = 3.0;
+
+/// Default height of a print, in mm: a few hours on a home printer.
+pub(crate) const PRINT_MM: f64 = 80.0;
 
 /// Stem of file names without a photo's name.
 const DEFAULT_STEM: &str = "face";
@@ -16,8 +18,8 @@ pub(crate) struct Files {
     pub options: FileOptions,
     /// Wall of a printed mask, in mm, also while another body is chosen.
     pub thickness_mm: f64,
-    /// Thickness behind the deepest point of a flat back, in mm.
-    pub back_mm: f64,
+    /// Depth of a relief, in mm, also while another body is chosen; none depends on the height.
+    pub depth_mm: Option<f64>,
     /// Whether pictures have a transparent background.
     pub is_transparent: bool,
     pub abilities: Abilities,
@@ -98,12 +100,20 @@ pub struct BodyFacts {
     pub volume_cm3: f64,
     /// Sides of the bounding box, in mm.
     pub size_mm: [f64; 3],
+    /// Requested wall thickness, in mm.
+    pub asked_mm: f64,
     /// Smallest wall thickness, in mm.
     pub thinnest_mm: f64,
+    /// Share of the face, 0 to 1, where the wall is notably thinner than requested.
+    pub thin_share: f64,
     /// Distance by which sharp folds were rounded, in mm.
     pub moved_mm: f64,
-    /// Mass in g if printed solid in PLA.
+    /// Mass in g if printed in PLA with usual settings.
     pub pla_grams: f64,
+    /// Whether to print it standing rather than lying on its back.
+    pub is_standing: bool,
+    /// Area that needs supports, in cm²; 0 if none does.
+    pub overhang_cm2: f64,
 }
 
 /// Reason why a body cannot be made.
@@ -157,9 +167,12 @@ pub enum Report {
 impl Default for Files {
     fn default() -> Self {
         Self {
-            options: FileOptions { solid: Solid::Thickness { mm: THICKNESS_MM }, ..FileOptions::default() },
+            options: FileOptions {
+                print: Print { solid: Solid::Thickness { mm: THICKNESS_MM }, height: PrintHeight::Mm(PRINT_MM) },
+                ..FileOptions::default()
+            },
             thickness_mm: THICKNESS_MM,
-            back_mm: BACK_MM,
+            depth_mm: None,
             is_transparent: true,
             abilities: Abilities::default(),
             stem: DEFAULT_STEM.to_owned(),

@@ -9,7 +9,7 @@ use crate::selection::Moving;
 const GLOW: f64 = 0.75;
 
 /// Marks the selection, the pins, the hovered vertex and, if enabled, the anchors on the stage. In comparisons with the
-/// original face, there are no marks.
+/// original face, and without a face, there are no marks.
 pub(crate) fn show(stage: &mut Stage, face: Option<&OpenFace>, anchors: Switch, pointed: Option<Selection>) {
     let RenderSettings { before, wipe, .. } = *stage.render_settings();
     let Some(face) = face.filter(|_| before == 0.0 && wipe.is_none()) else {

@@ -17,7 +17,7 @@ mod transaction;
 
 use glam::DVec2;
 use rosto_face::LANDMARK_COUNT;
-use rosto_stage::{Axis, Stage};
+use rosto_stage::{Axis, Stage, Visibility};
 
 use crate::files::Files;
 use crate::gesture::{Gesture, Hovered};
@@ -172,6 +172,7 @@ impl Session {
 
     fn show_marks(&mut self) {
         let pointed = self.pointed();
-        marks::show(&mut self.stage, self.face.as_ref(), self.view.anchors, pointed);
+        let marked = self.face.as_ref().filter(|_| self.view.print == Visibility::Hidden);
+        marks::show(&mut self.stage, marked, self.view.anchors, pointed);
     }
 }

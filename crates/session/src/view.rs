@@ -38,6 +38,8 @@ pub struct View {
     pub backdrop: Visibility,
     /// Whether animations run.
     pub motion: Motion,
+    /// Whether the printed body is displayed in place of the face.
+    pub print: Visibility,
 }
 
 /// Auto-rotation of the face.
@@ -76,6 +78,7 @@ impl Default for View {
             anchors: Switch::Off,
             backdrop: Visibility::Shown,
             motion: Motion::default(),
+            print: Visibility::Hidden,
         }
     }
 }
@@ -90,7 +93,11 @@ impl View {
         });
         let settings = stage.render_settings_mut();
         settings.background = if is_empty { Background::Transparent } else { self.background };
-        settings.surface = if is_empty { Surface::HiddenLine } else { Surface::Shaded };
+        settings.surface = match (is_empty, self.print) {
+            (true, _) => Surface::HiddenLine,
+            (false, Visibility::Shown) => Surface::Coloured,
+            (false, Visibility::Hidden) => Surface::Shaded,
+        };
         settings.wireframe = if is_empty { Visibility::Shown } else { self.wireframe };
     }
 }

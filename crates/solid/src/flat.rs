@@ -17,6 +17,8 @@ const OUTLINE_SCALE: f64 = 1.15;
 pub(crate) struct FlatBack {
     pub positions: Vec<DVec3>,
     pub triangles: Vec<[usize; 3]>,
+    /// Z of the plane.
+    pub plane: f64,
 }
 
 /// A back in the plane `behind` the deepest vertex; `None` if its walls would intersect the front.
@@ -27,7 +29,7 @@ pub(crate) fn back(front: &Front, behind: f64) -> Option<FlatBack> {
     TRIES.into_iter().find_map(|share| {
         let outline = rim.iter().zip(&smooth).map(|(own, smooth)| own.lerp(*smooth, share).extend(plane));
         let positions: Vec<DVec3> = outline.collect();
-        let back = FlatBack { triangles: filling::flat(&positions)?, positions };
+        let back = FlatBack { triangles: filling::flat(&positions)?, positions, plane };
         back.is_clear(front).then_some(back)
     })
 }

@@ -2,9 +2,11 @@
 //!
 //! [`Body::closed`] validates the surface and fills its openings (`front`), adds a back (`wall`, `flat`), and prevents
 //! self-intersections (`crossings`). [`Body::closed_or_smoothed`] smooths folds that leave no room for a wall
-//! (`smoothed`). A body knows its volume, size and mass. The crate is independent of faces.
+//! (`smoothed`), and [`Body::carved`] carves details into the front (`carved`). A body knows its volume, size, printed mass, wall
+//! thickness and overhangs. The crate is independent of faces.
 
 mod body;
+mod carved;
 mod crossings;
 mod error;
 mod filling;
@@ -14,6 +16,7 @@ mod smoothed;
 mod wall;
 
 pub use body::{Body, Closing, PLA_G_PER_CM3};
+pub use carved::Carving;
 pub use error::SolidError;
 
 /// Runs the README's examples as doc-tests.

@@ -79,7 +79,7 @@ impl Smoothing<'_> {
     fn well_walled(&self, positions: &[DVec3]) -> Result<Result<Body, Vec<bool>>, SolidError> {
         let front = Front::new(Surface::new(self.original.topology(), positions)?)?;
         Ok(match wall::good_back(&front, self.thickness_m) {
-            Ok(back) => Ok(Body::with_back(front, back)?),
+            Ok(back) => Ok(Body::with_back(front, back, self.thickness_m)?),
             Err(tight) => Err(tight),
         })
     }

@@ -26,10 +26,20 @@ const MAX_SWEEPS: f64 = 400.0;
 /// Cosine of the angle (60°) between direction and normal beyond which the offset is not lengthened further.
 const MIN_COSINE: f64 = 0.5;
 
-/// Positions of the back, and the smallest thickness.
+/// Positions of the back, and the thickness at each vertex.
 pub(crate) struct Back {
     pub positions: Vec<DVec3>,
-    pub thinnest: f64,
+    pub thickness: Vec<f64>,
+}
+
+impl Back {
+    fn thinnest(&self) -> f64 {
+        least(&self.thickness)
+    }
+}
+
+fn least(lengths: &[f64]) -> f64 {
+    lengths.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 /// Triangles of the front, the back and the strip between their rims.
@@ -60,8 +70,8 @@ pub(crate) fn back(front: &Front, thickness: f64) -> Option<Back> {
     let mut best: Option<Back> = None;
     for (radius, repair) in TRIES {
         let found = Offsets::smoothed(front, radius * thickness).repaired(thickness, repair, MIN_SHARE).ok();
-        best = [best, found].into_iter().flatten().max_by(|one, other| one.thinnest.total_cmp(&other.thinnest));
-        if best.as_ref().is_some_and(|best| best.thinnest >= GOOD * thickness) {
+        best = [best, found].into_iter().flatten().max_by(|one, other| one.thinnest().total_cmp(&other.thinnest()));
+        if best.as_ref().is_some_and(|best| best.thinnest() >= GOOD * thickness) {
             break;
         }
     }
@@ -138,9 +148,9 @@ impl<'a> Offsets<'a> {
             pairs = crossings_of(&triangles, &positions, moved);
             round += 1;
         }
-        let thinnest = self.thinnest(thickness);
-        match thinnest > 0.0 {
-            true => Ok(Back { thinnest, positions: positions.split_off(count) }),
+        let across = self.across(thickness);
+        match least(&across) > 0.0 {
+            true => Ok(Back { thickness: across, positions: positions.split_off(count) }),
             false => Err(vec![true; count]),
         }
     }
@@ -154,9 +164,10 @@ impl<'a> Offsets<'a> {
         positions.map(|(vertex, &position)| position - self.length(vertex, thickness) * self.outward[vertex]).collect()
     }
 
-    fn thinnest(&self, thickness: f64) -> f64 {
+    /// Thickness along the normals.
+    fn across(&self, thickness: f64) -> Vec<f64> {
         let across = |vertex: usize| self.length(vertex, thickness) * self.outward[vertex].dot(self.normals[vertex]);
-        (0..self.shares.len()).map(across).fold(f64::INFINITY, f64::min)
+        (0..self.shares.len()).map(across).collect()
     }
 
     /// Replaces each selected direction by the mean of its neighbours.

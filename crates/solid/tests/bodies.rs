@@ -10,9 +10,9 @@ use std::collections::HashMap;
 use exact::meets_itself;
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use rosto_face::{Triangulation, canonical_positions_m, crowded_landmarks, opening_edges};
+use rosto_face::{CarvedEyes, Triangulation, canonical_positions_m, crowded_landmarks, opening_edges};
 use rosto_mesh::{LoopSubdivision, Surface, Topology};
-use rosto_solid::{Body, Closing, PLA_G_PER_CM3, SolidError};
+use rosto_solid::{Body, Carving, Closing, PLA_G_PER_CM3, SolidError};
 use surfaces::{face, faces, plane};
 
 const CLOSINGS: [Closing; 3] = [
@@ -121,6 +121,35 @@ fn a_surface_is_smoothed_only_around_tight_folds() {
 }
 
 #[test]
+fn a_body_with_carved_eyes_is_watertight_and_as_thick() {
+    for (levels, size) in [(0, 1.0), (1, 0.55), (2, 1.0), (2, 0.55), (2, 0.28)] {
+        let (topology, firm, soft) = smooth(levels);
+        let [firm, soft] = [firm, soft].map(|positions| positions.iter().map(|at| *at * size).collect::<Vec<_>>());
+        let surface = Surface::new(&topology, &firm).unwrap();
+        for closing in [Closing::Thickness { thickness_m: 0.002 }, Closing::FlatBack { thickness_m: 0.002 }] {
+            let whole = Body::closed_or_smoothed(surface, &soft, closing).unwrap();
+            let front = &whole.positions_m()[..whole.front_vertices()];
+            let eyes = CarvedEyes::new(&Triangulation::Canonical.triangles(), &topology, front, [None; 2]);
+            let depths_m = eyes.depths(front);
+            let carving = Carving { topology: eyes.topology(), midpoints: eyes.midpoints(), depths_m: &depths_m };
+            let body = whole.carved(&topology, &carving);
+            let name = format!("{levels}, {size}, {closing:?}");
+            assert_watertight(&body);
+            if levels < 2 {
+                assert_eq!(meets_itself(body.topology().triangles(), body.positions_m()), None, "{name}");
+            }
+            let count = eyes.topology().vertex_count();
+            assert_eq!((body.front_vertices(), body.thickness_m().len()), (count, count), "{name}: not carved");
+            assert_eq!(body.front_triangles(), eyes.topology().triangles().len());
+            if let Closing::Thickness { .. } = closing {
+                assert!(body.thinnest_m() > 0.7 * whole.thinnest_m(), "{name}: {} m", body.thinnest_m());
+            }
+            assert!(body.volume_m3() > 0.0 && body.size_m().distance(whole.size_m()) < 0.003, "{name}");
+        }
+    }
+}
+
+#[test]
 fn the_error_for_a_thick_wall_gives_a_thickness_that_works() {
     let (topology, positions) = face(Triangulation::Canonical);
     let thickness_m = 0.5;
@@ -162,7 +191,54 @@ fn a_plate_has_the_expected_volume() {
     let block = closed(&topology, &positions, Closing::FlatBack { thickness_m: 0.02 }).unwrap();
     assert!((block.volume_m3() / (0.07 * 0.05 * 0.02) - 1.0).abs() < 1e-12);
     assert!(block.size_m().distance(DVec3::new(0.07, 0.05, 0.02)) < 1e-15);
-    assert!((block.mass_g(PLA_G_PER_CM3) - 70.0 * 1.24).abs() < 1e-9);
+    let shell_cm3 = 0.12 * (2.0 * (7.0 * 5.0 + 7.0 * 2.0 + 5.0 * 2.0));
+    assert!((block.area_m2() * 1e4 - 118.0).abs() < 1e-9);
+    let mass_g = 1.24 * (shell_cm3 + 0.15 * (70.0 - shell_cm3));
+    assert!((block.printed_mass_g(PLA_G_PER_CM3) - mass_g).abs() < 1e-9, "a shell and sparse infill");
+    let thin = closed(&topology, &positions, Closing::Thickness { thickness_m: 0.001 }).unwrap();
+    assert!((thin.printed_mass_g(PLA_G_PER_CM3) - 3.5 * 1.24).abs() < 1e-9, "a shell thicker than the wall fills it");
+}
+
+#[test]
+fn the_thickness_is_that_between_front_and_back() {
+    let (topology, positions) = face(Triangulation::Canonical);
+    let wall = closed(&topology, &positions, CLOSINGS[1]).unwrap();
+    let count = wall.front_vertices();
+    for (vertex, thickness_m) in wall.thickness_m().iter().enumerate() {
+        let along_m = wall.positions_m()[vertex].distance(wall.positions_m()[count + vertex]);
+        assert!(
+            *thickness_m > 0.0 && *thickness_m <= along_m * (1.0 + 1e-12),
+            "{vertex}: {thickness_m} of {along_m} m"
+        );
+    }
+    assert_eq!(wall.thinner_share(wall.thinnest_m()), 0.0);
+    assert_eq!(wall.thinner_share(1.0), 1.0);
+    let shares = [0.0038, 0.0039, 0.004, 0.0041].map(|least_m| wall.thinner_share(least_m));
+    assert!(shares.is_sorted() && shares[3] > shares[0], "{shares:?}");
+    let relief = closed(&topology, &positions, CLOSINGS[2]).unwrap();
+    let deepest_m = positions.iter().map(|position| position.z).fold(f64::INFINITY, f64::min);
+    for (position, thickness_m) in positions.iter().zip(relief.thickness_m()) {
+        assert!((thickness_m - (position.z - deepest_m + 0.003)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn only_faces_that_look_down_and_are_not_on_the_bed_hang_over() {
+    let (topology, positions) = plane(7, 5);
+    let block = closed(&topology, &positions, Closing::FlatBack { thickness_m: 0.02 }).unwrap();
+    for up in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z] {
+        assert_eq!(block.overhang_m2(up), 0.0, "a block on its side");
+    }
+    // On an edge, both sides at 45° to the bed.
+    let tilted = |degrees: f64| DQuat::from_rotation_y(degrees.to_radians()) * DVec3::Z;
+    let bottom_m2 = 0.07 * 0.05;
+    assert!((block.overhang_m2(tilted(30.0)) - bottom_m2).abs() < 1e-12, "the bottom is 30° off the bed");
+    assert!((block.overhang_m2(tilted(60.0)) - 0.02 * 0.05).abs() < 1e-12, "the side is 30° off the bed");
+    // The hollow of a mask that lies on its rim hangs over; the same face as a relief does not.
+    let (topology, positions) = face(Triangulation::Canonical);
+    let [wall, relief] = [CLOSINGS[0], CLOSINGS[2]].map(|closing| closed(&topology, &positions, closing).unwrap());
+    assert!(wall.overhang_m2(DVec3::Z) > 0.3 * wall.area_m2() / 2.0, "{}", wall.overhang_m2(DVec3::Z));
+    assert!(relief.overhang_m2(DVec3::Z) < 1e-5, "{}", relief.overhang_m2(DVec3::Z));
 }
 
 #[test]

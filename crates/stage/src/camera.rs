@@ -29,6 +29,8 @@ rosto_mesh::named! {
         Front = "front",
         /// From the face's own left side, +X.
         Left = "left",
+        /// From behind.
+        Back = "back",
         /// From above, with the face pointing down in the picture.
         Top = "top",
         /// The initial view: everything centred, from the front or as the picture was taken.
@@ -247,6 +249,7 @@ impl Camera {
             NamedView::Reset => self.goal.facing,
             NamedView::Front => Facing::default(),
             NamedView::Left => Facing { azimuth: FRAC_PI_2, ..Facing::default() },
+            NamedView::Back => Facing { azimuth: PI, ..Facing::default() },
             NamedView::Top => Facing { elevation: Facing::MAX_ELEVATION, ..Facing::default() },
         };
         self.face_towards(facing.nearest_to(&self.now.facing));

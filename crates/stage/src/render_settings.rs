@@ -29,6 +29,8 @@ pub enum Surface {
     /// Drawn in its shading mode.
     #[default]
     Shaded,
+    /// Drawn in its vertex colours and without dots, in each shading mode.
+    Coloured,
     /// Drawn only into the depth buffer, to hide the far side of a wireframe.
     HiddenLine,
 }
@@ -140,10 +142,15 @@ pub struct RenderSettings {
 }
 
 impl RenderSettings {
+    /// Colouring of the drawn surface.
+    pub(crate) fn drawn_shading(&self) -> ShadingMode {
+        if self.surface == Surface::Coloured { ShadingMode::Colours } else { self.shading }
+    }
+
     /// Light on the surface. A picture keeps its own lighting plus a trace of the lamp, so that its shape is visible
     /// when it turns.
     pub(crate) fn surface_light(&self) -> Light {
-        match (self.shading, self.picture_light) {
+        match (self.drawn_shading(), self.picture_light) {
             (ShadingMode::Picture, PictureLight::Own) => self.light.faded_to_flat(1.0 - LAMP_ON_PICTURE),
             _ => self.light,
         }
@@ -212,6 +219,8 @@ mod tests {
             ] {
                 assert_eq!(settings.surface_light(), light);
             }
+            let coloured = RenderSettings { surface: Surface::Coloured, ..own };
+            assert_eq!((coloured.drawn_shading(), coloured.surface_light()), (ShadingMode::Colours, light));
         }
     }
 }

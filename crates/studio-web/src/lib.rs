@@ -13,6 +13,7 @@ mod photo_warp;
 mod photos;
 mod picture;
 mod pieces;
+mod print;
 mod queries;
 mod renderer;
 mod sent;

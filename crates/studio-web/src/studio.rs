@@ -12,6 +12,7 @@ use web_sys::ImageBitmap;
 use crate::error::{FacadeError, Result};
 use crate::picture::{OpenPicture, Pictures};
 use crate::pieces::Pieces;
+use crate::print::ShownPrint;
 use crate::renderer::Renderer;
 use crate::sent::sent;
 use crate::shown::{CameraStream, PhotoShown};
@@ -30,6 +31,8 @@ pub struct Studio {
     pub(crate) camera_stream: Option<CameraStream>,
     /// The pieces of the mesh on the GPU, while the face shows an expression.
     pub(crate) pieces: Option<Pieces>,
+    /// The printed body, while it is displayed in place of the face.
+    pub(crate) print: Option<ShownPrint>,
     /// The panels that the page shows.
     pub(crate) panel: Vec<Widget>,
     /// Change whose upload failed; the next frame tries again.
@@ -146,6 +149,7 @@ impl Studio {
             photo_shown: PhotoShown::default(),
             camera_stream: None,
             pieces: None,
+            print: None,
             panel: Vec::new(),
             pending_change: Changed::Nothing,
         }
@@ -171,8 +175,18 @@ impl Studio {
 
     /// Uploads a change to the GPU.
     pub(crate) fn show(&mut self, changed: Changed) -> Result<()> {
+        let changed = if self.drop_outdated_print() { Changed::Mesh } else { changed };
         if self.camera_stream.is_some() {
             return self.show_live_preview(changed);
+        }
+        if let Some(print) = &self.print {
+            if changed >= Changed::Mesh {
+                print.show(&mut self.viewport)?;
+                self.pieces = None;
+            }
+            self.mark_photo_due(changed);
+            self.session.stage_mut().request_frame();
+            return Ok(());
         }
         let is_split = self.session.face().is_some_and(OpenFace::shows_expression);
         if changed >= Changed::Mesh {

@@ -123,7 +123,7 @@ fn record_mesh(drawn: &FrameResources, stage: &Stage, pass: &mut wgpu::RenderPas
         pass.set_vertex_buffer(0, mesh.edges.slice(..));
         pass.draw(0..6, 0..mesh.topology.edges().len() as u32);
     }
-    if settings.dots != Dots::None {
+    if settings.dots != Dots::None && settings.surface != Surface::Coloured {
         pass.set_pipeline(&pipelines.dots);
         let vertices = mesh.topology.vertex_count() as u32;
         pass.draw(0..6, 0..settings.dotted.map_or(vertices, |dotted| dotted.min(vertices)));

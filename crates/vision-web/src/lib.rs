@@ -16,6 +16,6 @@ mod vision;
 
 pub use file_options::FileOptions;
 pub use limits::{check_file, check_size, sniffed_bytes};
-pub use messages::{FaceRequest, OpenedFace, OpenedFile, OpenedKind, RawPicture, SolidFacts, WrittenFile};
+pub use messages::{FaceRequest, OpenedFace, OpenedFile, OpenedKind, PrintedBody, RawPicture, SolidFacts, WrittenFile};
 pub use paper::{PaperClaims, PaperMethod, PaperResults, PaperRow, PaperRun};
 pub use vision::Vision;

@@ -1,6 +1,6 @@
 //! Plain objects of the worker's requests and answers, with their TypeScript types.
 
-use js_sys::Uint8ClampedArray;
+use js_sys::{Float32Array, Uint8Array, Uint8ClampedArray, Uint32Array};
 use rosto::{Photo, Region};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -109,7 +109,7 @@ pub struct WrittenFile {
     /// Contents of the file.
     #[serde(with = "tsify::serde_wasm_bindgen::preserve")]
     #[tsify(type = "Uint8Array<ArrayBuffer>")]
-    pub bytes: js_sys::Uint8Array,
+    pub bytes: Uint8Array,
     /// Extension of the file's name.
     pub extension: String,
     /// Media type.
@@ -124,12 +124,40 @@ pub struct SolidFacts {
     pub volume_cm3: f64,
     /// Sides of the bounding box, in mm: x, y, z.
     pub size_mm: [f64; 3],
+    /// Requested wall thickness, in mm.
+    pub asked_mm: f64,
     /// Smallest wall thickness, in mm.
     pub thinnest_mm: f64,
+    /// Share of the face, 0 to 1, where the wall is notably thinner than requested.
+    pub thin_share: f64,
     /// Distance by which sharp folds were rounded to make room for the wall, in mm; 0 if none were.
     pub moved_mm: f64,
-    /// Mass in g if printed solid in PLA.
+    /// Mass in g if printed in PLA, with shells of 1.2 mm and 15 % infill.
     pub pla_grams: f64,
+    /// Whether to print it standing rather than lying on its back.
+    pub is_standing: bool,
+    /// Area that needs supports, in cm²; 0 if none does.
+    pub overhang_cm2: f64,
+}
+
+/// A body for printing, for display in place of the face, and its measures.
+#[derive(Debug, Clone, Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct PrintedBody {
+    /// Its measures, in the size of the print.
+    pub facts: SolidFacts,
+    /// Positions of its vertices in metres, as large as the face: x, y, z.
+    #[serde(with = "tsify::serde_wasm_bindgen::preserve")]
+    #[tsify(type = "Float32Array<ArrayBuffer>")]
+    pub positions_m: Float32Array,
+    /// Vertices of its triangles.
+    #[serde(with = "tsify::serde_wasm_bindgen::preserve")]
+    #[tsify(type = "Uint32Array<ArrayBuffer>")]
+    pub triangles: Uint32Array,
+    /// sRGB colour of each vertex: clay, and amber where the wall is notably thinner than requested.
+    #[serde(with = "tsify::serde_wasm_bindgen::preserve")]
+    #[tsify(type = "Uint8Array<ArrayBuffer>")]
+    pub colours: Uint8Array,
 }
 
 /// Converts an answer to a plain object.
@@ -159,10 +187,24 @@ impl RawPicture {
     }
 }
 
+impl PrintedBody {
+    pub(crate) fn of(printed: &rosto::PrintedBody, solid: rosto::Solid) -> Self {
+        let positions_m: Vec<[f32; 3]> =
+            printed.face_sized_m().iter().map(|position| position.as_vec3().to_array()).collect();
+        Self {
+            facts: rosto::SolidFacts::of(&printed.body, solid).into(),
+            positions_m: positions_m.as_flattened().into(),
+            triangles: printed.body.topology().triangles().as_flattened().into(),
+            colours: printed.thinness_colours(solid).as_flattened().into(),
+        }
+    }
+}
+
 impl From<rosto::SolidFacts> for SolidFacts {
     fn from(facts: rosto::SolidFacts) -> Self {
-        let rosto::SolidFacts { volume_cm3, size_mm, thinnest_mm, moved_mm } = facts;
-        let pla_grams = facts.mass_g(rosto_export::PLA_G_PER_CM3);
-        Self { volume_cm3, size_mm: size_mm.to_array(), thinnest_mm, moved_mm, pla_grams }
+        let rosto::SolidFacts { volume_cm3, asked_mm, thinnest_mm, thin_share, moved_mm, overhang_cm2, .. } = facts;
+        let (size_mm, pla_grams) = (facts.size_mm.to_array(), facts.pla_g);
+        let is_standing = facts.pose == rosto::PrintPose::Standing;
+        Self { volume_cm3, size_mm, asked_mm, thinnest_mm, thin_share, moved_mm, pla_grams, is_standing, overhang_cm2 }
     }
 }

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::{self, Result, require};
 use crate::file_options::FileOptions;
-use crate::messages::{FaceRequest, OpenedFile, RawPicture, SolidFacts, WrittenFile, received, sent};
+use crate::messages::{FaceRequest, OpenedFile, PrintedBody, RawPicture, WrittenFile, received, sent};
 use crate::opened::{self, Decoded};
 use crate::paper::PaperRun;
 use crate::pictures::Pictures;
@@ -156,16 +156,15 @@ impl Vision {
         self.mesh(&received(&face)?)?.write_project().map_err(error::of_request)
     }
 
-    /// Measures of the body for printing, before it is written; undefined if only the surface is exported.
+    /// The body for printing and its measures, before it is written; undefined if only the surface is exported.
     ///
     /// # Errors
     /// See [`Self::write`].
-    #[wasm_bindgen(js_name = solidFacts)]
-    pub fn solid_facts(&self, face: Ts<FaceRequest>, options: Ts<FileOptions>) -> Result<Option<Ts<SolidFacts>>> {
-        let (face, options) = (received(&face)?, received(&options)?.read()?);
+    pub fn print(&self, face: Ts<FaceRequest>, options: Ts<FileOptions>) -> Result<Option<Ts<PrintedBody>>> {
+        let (face, rosto::FileOptions { print, .. }) = (received(&face)?, received(&options)?.read()?);
         let mesh = FaceMesh::reopen(saved(&face)?).map_err(error::of_request)?;
-        let facts = mesh.solid_facts(options.solid).map_err(error::of_request)?;
-        facts.map(|facts| sent(&facts.into())).transpose()
+        let printed = mesh.printed(print).map_err(error::of_request)?;
+        printed.map(|printed| sent(&PrintedBody::of(&printed, print.solid))).transpose()
     }
 
     /// Creates the paper's experiment on the unedited face: `runs` random choices of vertices and anchors per method,

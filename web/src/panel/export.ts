@@ -11,6 +11,7 @@ import type { Opening } from "../opening.ts";
 import type { Host } from "../viewport/host.ts";
 import type { FaceFiles } from "../work/face-files.ts";
 import type { Report } from "../../wasm/rosto-studio-web.js";
+import type { PrintedBody } from "../../wasm/rosto-vision-web.js";
 
 /** Debounce delay: computing a body takes time. */
 const DEBOUNCE_MS = 250;
@@ -146,40 +147,61 @@ function viewInAr(file: File) {
 }
 
 /**
- * Measures the printed body while its panel is visible; the worker computes it. Returns a function that makes a file of
- * the body, and shows in the panel why it could not.
+ * Measures the printed body while its panel is visible, and shows it in place of the 3D face; the worker computes it.
+ * Returns a function that makes a file of the body, and shows in the panel why it could not.
  */
 function setUpPrint(host: Host, files: FaceFiles) {
   const fold = byId("print", HTMLDetailsElement);
   let timer = 0;
   /** Numbers of the last change, and of the one whose body was last asked for. */
   let [changed, measured] = [1, 0];
+  /** The body of the last measured change. */
+  let body: PrintedBody | undefined;
+  let isVisible = false;
   const show = (report: Report) => host.applyShown({ report });
+  const showBody = () => {
+    if (!isVisible || !body || changed !== measured) return;
+    const { positionsM, triangles, colours } = body;
+    host.act((studio) => studio.showPrint(positionsM, triangles, colours));
+  };
   const refusal = (error: unknown): Report => {
     const { code, maxMm } = asPageError(error);
     return { "body-failed": { code: isWord(`error.${code}`) ? code : "other", maxMm } };
   };
-  const facts = async () => files.solidFacts(host.answer((studio) => studio.fileOptions()));
+  const print = async () => files.print(host.answer((studio) => studio.fileOptions()));
   const measure = async () => {
     const number = changed;
     measured = number;
-    const report = await facts().then(
-      (body): Report => ({ "body-measured": body }),
-      (error) => (isCancelled(error) ? undefined : refusal(error)),
+    const made = await print().then(
+      (printed): [Report, PrintedBody?] => [{ "body-measured": printed?.facts }, printed],
+      (error): [Report] | undefined => (isCancelled(error) ? undefined : [refusal(error)]),
     );
-    if (!report) changed += 1;
-    else if (number === changed) show(report);
+    if (!made) changed += 1;
+    if (!made || number !== changed) return;
+    const [report, printed] = made;
+    body = printed;
+    if (body) showBody();
+    else host.act((studio) => studio.hidePrint());
+    show(report);
   };
   const measureSoon = () => {
     clearTimeout(timer);
-    if (measured !== changed && fold.open && fold.checkVisibility()) timer = setTimeout(measure, DEBOUNCE_MS);
+    if (measured !== changed && isVisible) timer = setTimeout(measure, DEBOUNCE_MS);
+  };
+  const follow = () => {
+    const wasVisible = isVisible;
+    isVisible = fold.open && fold.checkVisibility();
+    measureSoon();
+    if (isVisible === wasVisible) return;
+    if (isVisible) showBody();
+    else host.act((studio) => studio.hidePrint());
   };
   host.on("change", () => {
     changed += 1;
     measureSoon();
   });
-  // Measures only while visible, so starts when the fold or its tab opens.
-  new ResizeObserver(measureSoon).observe(fold);
+  // The fold or its tab opens or closes.
+  new ResizeObserver(follow).observe(fold);
   return async (make: () => Promise<void>) => {
     const number = changed;
     await make().catch((error) => {
@@ -189,6 +211,7 @@ function setUpPrint(host: Host, files: FaceFiles) {
         clearTimeout(timer);
         changed += 1;
         measured = changed;
+        body = undefined;
       }
       show(refusal(error));
     });

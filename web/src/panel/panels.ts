@@ -261,7 +261,7 @@ function makeText(id: string): View<Of<"text">> {
       element.hidden ||= widget.isHidden;
       element.classList.toggle("field-error", tone === "error");
       element.dataset["tone"] = tone;
-      if (tone === "status" || tone === "busy") element.role = "status";
+      if (["status", "busy", "warning"].includes(tone)) element.role = "status";
     },
   };
 }

@@ -35,7 +35,7 @@ export function faceFiles(host: Host, vision: VisionClient, opening: { remember:
     },
     project: async () => vision.request("write-project", open()),
     /** Measures of the body for printing; undefined if only the surface is exported. */
-    solidFacts: async (options: FileOptions) => vision.request("solid-facts", { ...open(), options }),
+    print: async (options: FileOptions) => vision.request("print", { ...open(), options }),
     /** The lead photo with the edits, upright and in sRGB, without metadata such as its location. */
     editedPhoto: async (mediaType: PhotoType) =>
       vision.request("edited-photo", { ...open(), falloffBand: state().falloffBand, mediaType }),

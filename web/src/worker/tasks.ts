@@ -68,8 +68,8 @@ export const tasks = {
   "write-project": ({ face, files }: OfFace) =>
     withPictures(face.pictures, files, (module) => module.writeProject(face) as Uint8Array<ArrayBuffer>),
 
-  "solid-facts": ({ face, options, files }: OfFace<{ options: FileOptions }>) =>
-    withPictures([], files, (module) => module.solidFacts(face, options)),
+  print: ({ face, options, files }: OfFace<{ options: FileOptions }>) =>
+    withPictures([], files, (module) => module.print(face, options)),
 
   /** Draws the lead photo with the edits at full size, or at the size stored in a saved file. */
   "edited-photo": ({ face, lead: { picture, source }, files, falloffBand, mediaType }: EditedPhoto) =>

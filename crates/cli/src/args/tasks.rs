@@ -3,8 +3,8 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use rosto::{
-    BaseColour, EditsAs, ExpressionsAs, Eyes, FileOptions, Material, MeshRequest, Solid, TextureSize, Triangulation,
-    Units,
+    BaseColour, EditsAs, ExpressionsAs, Eyes, FileOptions, Material, MeshRequest, Print, PrintHeight, Solid,
+    TextureSize, Triangulation, Units,
 };
 use rosto_studio::{DEFAULT_FALLOFF_BAND, SMOOTH_DENSITY};
 use rosto_warp::Dab;
@@ -89,10 +89,13 @@ pub struct FileArguments {
     #[arg(long, value_name = "PX", default_value = TextureSize::default().id(),
         value_parser = one_of("texture-size", TextureSize::ALL, TextureSize::id, TextureSize::from_id))]
     pub texture_size: TextureSize,
-    /// Body for 3D printing (.stl, .3mf): thickness:MM is a mask with a wall of MM, flat:MM a relief whose flat back
-    /// lies MM behind its deepest point, surface the open surface (.stl)
+    /// Body for 3D printing (.stl, .3mf): thickness:MM is a mask with a wall of MM, flat:MM a relief with a flat back,
+    /// at most MM deep (flat: a third of its height), surface the open surface (.stl)
     #[arg(long, value_name = "SOLID", default_value_t = Solid::default())]
     pub solid: Solid,
+    /// Height of that body in mm, or life for that of the face; a wall's thickness is that of the print
+    #[arg(long, value_name = "MM", default_value_t = PrintHeight::default())]
+    pub height_mm: PrintHeight,
     /// Shading of a .glb or .gltf
     #[arg(long, default_value = Material::default().id(),
         value_parser = one_of("material", Material::ALL, Material::id, Material::from_id))]
@@ -121,7 +124,7 @@ impl FileArguments {
             expressions: if self.expression_targets { ExpressionsAs::MorphTargets } else { ExpressionsAs::Shape },
             eyes: self.eyes,
             units,
-            solid: self.solid,
+            print: Print { solid: self.solid, height: self.height_mm },
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::{ExportError, Model};
 
 /// Exports a binary STL file in millimetres, +Y up, without colours.
 ///
-/// The model is written as it is. For printing, pass a closed body ([`Solid::body`](crate::Solid::body)).
+/// The model is written as it is. For printing, pass a closed body ([`Print::body`](crate::Print::body)).
 ///
 /// # Errors
 /// [`ExportError`] if a length does not match, a position is not finite, or the mesh is empty.

@@ -1,11 +1,10 @@
 use glam::DVec3;
-use rosto_solid::Body;
 use std::collections::HashMap;
 
 use super::push;
+use crate::PrintedBody;
 use crate::model::MM_PER_M;
 use crate::zip::{NamedFile, stored};
-use crate::{ExportError, Model};
 
 /// Colour of the back and the sides.
 const NEUTRAL: [u8; 3] = [200, 200, 200];
@@ -21,21 +20,17 @@ const RELATIONSHIPS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 /// Exports a 3MF package: a closed body in millimetres, lying on its back with the face towards +Z, as printers expect.
 ///
 /// The front has the face's colours (materials extension); sides and back are neutral.
-///
-/// # Errors
-/// [`ExportError`] if a length does not match, a position is not finite, or the mesh is empty.
-pub fn three_mf(model: &Model<'_>, body: &Body) -> Result<Vec<u8>, ExportError> {
-    model.check()?;
+pub fn three_mf(printed: &PrintedBody) -> Vec<u8> {
     let files = [
         NamedFile::new("[Content_Types].xml", CONTENT_TYPES),
         NamedFile::new("_rels/.rels", RELATIONSHIPS),
-        NamedFile::new("3D/3dmodel.model", model_xml(model, body)),
+        NamedFile::new("3D/3dmodel.model", model_xml(printed)),
     ];
-    Ok(stored(&files, 1))
+    stored(&files, 1)
 }
 
-fn model_xml(model: &Model<'_>, body: &Body) -> String {
-    let painted = Painted::of(model, body);
+fn model_xml(printed: &PrintedBody) -> String {
+    let (body, painted) = (&printed.body, Painted::of(printed));
     let low = body.positions_m().iter().copied().reduce(DVec3::min).unwrap_or_default() * MM_PER_M;
     let mut text = String::with_capacity(120 * body.topology().triangles().len());
     text.push_str(concat!(
@@ -76,7 +71,7 @@ struct Painted {
 
 impl Painted {
     /// Palette of the distinct vertex colours; front triangles use their vertices' colours, others the neutral one.
-    fn of(model: &Model<'_>, body: &Body) -> Self {
+    fn of(PrintedBody { body, colours_srgb, .. }: &PrintedBody) -> Self {
         let mut colours = vec![NEUTRAL];
         let mut indices = HashMap::from([(NEUTRAL, 0)]);
         let index_of = |colour: &[u8; 3]| {
@@ -85,7 +80,7 @@ impl Painted {
                 colours.len() - 1
             })
         };
-        let of_vertex: Vec<usize> = model.colours_srgb.iter().map(index_of).collect();
+        let of_vertex: Vec<usize> = colours_srgb.iter().map(index_of).collect();
         let (front, others) = body.topology().triangles().split_at(body.front_triangles());
         let coloured = front.iter().map(|corners| corners.map(|corner| of_vertex[corner as usize]));
         Self { corners: coloured.chain(others.iter().map(|_| [0; 3])).collect(), colours }

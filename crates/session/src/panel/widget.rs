@@ -161,6 +161,8 @@ pub enum Tone {
     Busy,
     /// A success.
     Success,
+    /// A limit to know of, such as a wall that may break.
+    Warning,
     /// An error.
     Error,
 }

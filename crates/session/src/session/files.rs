@@ -1,5 +1,6 @@
 use rosto::FileOptions;
-use rosto_export::{ExportOption, SOLID_MM, Solid};
+use rosto_export::{DEPTH_MM, ExportOption, HEIGHT_MM, PrintHeight, SOLID_MM, Solid};
+use rosto_stage::{Scene, Visibility};
 
 use super::Session;
 use crate::changed::Changed;
@@ -9,7 +10,7 @@ use crate::files::Report;
 impl Session {
     /// Options of exported files, by their ids.
     pub fn file_options(&self) -> Vec<(&'static str, String)> {
-        let FileOptions { base_colour, material, edits, expressions, eyes, units, solid, .. } = self.files.options;
+        let FileOptions { base_colour, material, edits, expressions, eyes, units, print, .. } = self.files.options;
         vec![
             (ExportOption::BaseColour.id(), base_colour.id().to_owned()),
             (ExportOption::TextureSize.id(), self.view().texture_size.id().to_owned()),
@@ -18,7 +19,8 @@ impl Session {
             (ExportOption::Expressions.id(), expressions.id().to_owned()),
             (ExportOption::Eyes.id(), eyes.id().to_owned()),
             (ExportOption::Units.id(), units.id().to_owned()),
-            (ExportOption::Solid.id(), solid.to_string()),
+            (ExportOption::Solid.id(), print.solid.to_string()),
+            (ExportOption::Height.id(), print.height.to_string()),
         ]
     }
 
@@ -42,12 +44,29 @@ impl Session {
         self.files.is_transparent
     }
 
+    /// Shows the printed body in place of the 3D face, without marks and selection, or the face again. No effect while
+    /// the photo or the live preview is displayed.
+    pub fn show_print(&mut self, print: Visibility) {
+        let is_busy = self.view.scene == Scene::Picture || self.live_preview.is_some();
+        if self.view.print == print || (print == Visibility::Shown && (self.face.is_none() || is_busy)) {
+            return;
+        }
+        self.view.print = print;
+        self.hover(None);
+        self.view.show_on(&mut self.stage, self.face.is_none());
+        self.show_marks();
+    }
+
     pub(super) fn set_file_options(&mut self, options: FileOptions) -> Result<Changed, SessionError> {
-        let [min, max] = SOLID_MM;
-        match options.solid {
-            Solid::Thickness { mm } => self.files.thickness_mm = within("the thickness", mm, min, max)?,
-            Solid::FlatBack { mm } => self.files.back_mm = within("the back", mm, min, max)?,
-            Solid::Surface => {}
+        if let PrintHeight::Mm(mm) = options.print.height {
+            within("the height", mm, HEIGHT_MM[0], HEIGHT_MM[1])?;
+        }
+        match options.print.solid {
+            Solid::Thickness { mm } => self.files.thickness_mm = within("the thickness", mm, SOLID_MM[0], SOLID_MM[1])?,
+            Solid::FlatBack { depth_mm: Some(mm) } => {
+                self.files.depth_mm = Some(within("the depth", mm, DEPTH_MM[0], DEPTH_MM[1])?);
+            }
+            Solid::FlatBack { depth_mm: None } | Solid::Surface => {}
         }
         self.files.options = options;
         Ok(Changed::Document)

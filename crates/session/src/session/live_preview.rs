@@ -1,5 +1,5 @@
 use rosto_face::PoseFit;
-use rosto_stage::{Pinhole, Sides};
+use rosto_stage::{Pinhole, Sides, Visibility};
 
 use super::Session;
 use super::photo::plane;
@@ -27,6 +27,7 @@ impl Session {
             rosto_face::check_landmarks(landmarks, size_px[0], size_px[1])?;
         }
         let pose_fit = pose_fit(face, landmarks, size_px)?;
+        self.show_print(Visibility::Hidden);
         self.live_preview.get_or_insert_default().set_frame(landmarks, size_px);
         self.show_backdrop();
         self.show_live_preview(pose_fit);

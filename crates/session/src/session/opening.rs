@@ -1,6 +1,6 @@
 use rosto::SavedFace;
 use rosto_face::canonical_positions_m;
-use rosto_stage::Scene;
+use rosto_stage::{Scene, Visibility};
 
 use super::{Result, Session, preferences};
 use crate::gesture::{Gesture, Hovered};
@@ -18,6 +18,7 @@ impl Session {
         self.textures.restart();
         (self.gesture, self.hovered, self.brush_px) = (Gesture::Idle, Hovered::default(), None);
         self.panel = self.panel.for_another_face();
+        self.view.print = Visibility::Hidden;
         self.view.show_on(&mut self.stage, false);
         self.show_backdrop();
         self.see_as_edited();
@@ -56,7 +57,7 @@ impl Session {
     }
 
     pub(super) fn close(&mut self) -> Result {
-        (self.face, self.brush_px) = (None, None);
+        (self.face, self.brush_px, self.view.print) = (None, None, Visibility::Hidden);
         self.end_live_preview();
         self.see_as_edited();
         (self.gesture, self.hovered) = (Gesture::Idle, Hovered::default());

@@ -46,8 +46,9 @@ impl Session {
 
     pub(super) fn set_scene(&mut self, scene: Scene) -> Changed {
         self.view.scene = scene;
-        if scene == Scene::Solid {
-            self.brush_px = None;
+        match scene {
+            Scene::Solid => self.brush_px = None,
+            Scene::Picture => self.show_print(Visibility::Hidden),
         }
         self.show_scene();
         Changed::Document

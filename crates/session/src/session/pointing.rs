@@ -1,6 +1,6 @@
 use glam::{DVec2, DVec3};
 use rosto_face::LANDMARK_COUNT;
-use rosto_stage::{Axis, Pointer};
+use rosto_stage::{Axis, Pointer, Visibility};
 
 use super::{Result, Session};
 use crate::drag::{Drag, Pace};
@@ -80,7 +80,7 @@ impl Session {
 
     pub(super) fn hit_at(&self, position_px: DVec2, pointer: Pointer) -> Hovered {
         match &self.face {
-            Some(face) if position_px.is_finite() => {
+            Some(face) if position_px.is_finite() && self.view.print == Visibility::Hidden => {
                 gesture::hit_test(face, &self.stage, self.mode, position_px, pointer)
             }
             _ => Hovered::default(),

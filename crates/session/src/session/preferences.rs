@@ -68,8 +68,8 @@ impl Session {
     }
 }
 
-/// Reads the preferences. Motion and backdrop are taken from `now`: the first is
-/// a setting of the user's system, the second depends on the window.
+/// Reads the preferences. Motion, backdrop and the display of the print are taken from `now`: they belong to the user's
+/// system, the window and the panel.
 pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> {
     let missing = |field| SessionError::Preferences { field };
     let value: Value = serde_json::from_str(text).map_err(|_| missing("JSON"))?;
@@ -107,6 +107,7 @@ pub(crate) fn read(text: &str, now: &View) -> Result<Preferences, SessionError> 
         anchors: if flag("anchors_marked")? { Switch::On } else { Switch::Off },
         backdrop: now.backdrop,
         motion: now.motion,
+        print: now.print,
     };
     Ok(Preferences {
         mode: named(&value, "mode", SelectionMode::from_id)?,

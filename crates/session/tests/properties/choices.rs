@@ -83,6 +83,7 @@ fn named() -> Vec<String> {
         BaseColour::ALL.map(|one| format!("base-colour.{}", one.id())).to_vec(),
         TextureSize::ALL.map(|one| format!("texture-size.{}", one.id())).to_vec(),
         ["thickness", "flat", "surface"].map(|id| format!("solid.{id}")).to_vec(),
+        ["40", "80", "life"].map(|id| format!("print.height.{id}")).to_vec(),
     ]
     .concat();
     let of_face = landmarks.chain(near).chain(regions).chain(sliders).chain(expressions);

@@ -10,6 +10,7 @@ mod live_preview;
 mod messages;
 mod panels;
 mod photo_lens;
+mod printing;
 mod random;
 mod refusals;
 mod scenarios;

@@ -86,7 +86,7 @@ impl Stage {
             right: camera.right().as_vec3().to_array(),
             m_per_px: camera.m_per_px() as f32,
             up: camera.up().as_vec3().to_array(),
-            shading: settings.shading as u32,
+            shading: settings.drawn_shading() as u32,
             ground_m: self.ground_m.as_vec3().to_array(),
             radius_m: camera.radius_m() as f32,
             viewport_px: camera.size_px().as_vec2().to_array(),

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto::{BaseColour, EditsAs, FaceMesh, FileOptions, Format, Solid};
+use rosto::{BaseColour, EditsAs, FaceMesh, FileOptions, Format, Print, SolidFacts};
 use rosto_face::{Photo, Triangulation};
 use rosto_session::{Intent, Motion, Preset, Selection, SelectionMode, Session, SessionError, Turntable};
 use rosto_stage::{Background, Dots, Lens, Light, PictureLight, ShadingMode, Srgb, Visibility};
@@ -174,7 +174,8 @@ fn exercise(session: &mut Session) {
         assert!(bundled.len() > min_bytes, "{format:?}");
         assert_eq!(written.sidecars.is_empty(), format.bundle_extension(BaseColour::Photo) == format.id());
         assert_eq!(written.sidecars.is_empty(), bundled == written.bytes);
-        let facts = mesh.solid_facts(Solid::default()).unwrap();
+        let print = Print::default();
+        let facts = mesh.printed(print).unwrap().map(|printed| SolidFacts::of(&printed.body, print.solid));
         assert!(written.solid.is_none() || written.solid == facts);
     }
     for density in [0, 1, 3] {
