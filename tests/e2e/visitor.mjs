@@ -367,7 +367,7 @@ export class Visitor {
 
   /** Names of the listed edits, newest first. */
   async history() {
-    return this.page.locator("#history .check-label").allInnerTexts();
+    return this.page.locator("#history .check-label").allTextContents();
   }
 
   /** Number of the selected landmark. */

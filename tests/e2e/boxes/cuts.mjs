@@ -19,7 +19,9 @@ export function outside(element) {
   const box = element.getBoundingClientRect();
   let scrolls = false;
   for (let up = element.parentElement; up && up !== document.documentElement; up = up.parentElement) {
-    const { overflowX, overflowY } = getComputedStyle(up);
+    const { display, overflowX, overflowY } = getComputedStyle(up);
+    // It has no box.
+    if (display === "contents") continue;
     if (overflowX === "visible" && overflowY === "visible") continue;
     const { across, along } = edgeOf(box, up.getBoundingClientRect());
     if (across > SLACK_PX && overflowX !== "visible") return `${nameOf(element)} leaves ${nameOf(up)} sideways by ${across} px`;
@@ -48,7 +50,7 @@ export function cutting(all) {
     const box = element.getBoundingClientRect();
     const out = textOf(element).map((line) => edgeOf(line, box)).find(({ across, along }) => across > SLACK_PX || along > 2);
     if (out && !element.matches("label:has(select, input)")) found.push(`the text of ${nameOf(element)} leaves it by ${Math.max(out.across, out.along)} px`);
-    if (element.matches("[role=tab], .choice-options span") && isWrapped(element)) found.push(`the text of ${nameOf(element)} wraps`);
+    if (element.matches("[role=tab], .choice-options:not(.icons) span") && isWrapped(element)) found.push(`the text of ${nameOf(element)} wraps`);
   }
   return [...found, ...all.map(cutChoice), ...all.map(cutValue)];
 }

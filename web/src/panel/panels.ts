@@ -106,6 +106,9 @@ export class Panels {
   }
 }
 
+/** Choices that need no visible name. */
+const QUIET = new Set(["selection", "region"]);
+
 /** A group without a title is labelled for screen readers only. */
 type Group = { element: HTMLElement; body: HTMLElement; title?: HTMLElement };
 
@@ -152,7 +155,7 @@ function makeCheck(id: string, send: Send): View<Of<"check">> {
 }
 
 function makeList(id: string, send: Send): View<Of<"choice">> {
-  const [label, select, help] = [make("label", "field-label"), make("select", "select"), make("p", "caption")];
+  const [label, select, help] = [make("label", QUIET.has(id) ? "visually-hidden" : "field-label"), make("select", "select"), make("p", "caption")];
   [select.id, label.htmlFor, help.id] = [domId(id), domId(id), `${domId(id)}-help`];
   select.setAttribute("aria-describedby", help.id);
   select.addEventListener("change", () => send({ set: [id, select.value] }));
@@ -172,7 +175,7 @@ function makeList(id: string, send: Send): View<Of<"choice">> {
 
 function makeSegments(id: string, { look, name, options, expert }: Of<"choice">, send: Send): View<Of<"choice">> {
   const [legend, segments] = [make("legend", "field-label"), make("div", `choice-options ${look}`)];
-  if (look === "icons") legend.className = "visually-hidden";
+  if (look === "icons" || QUIET.has(id)) legend.className = "visually-hidden";
   const [help, scaleText] = [make("p", "caption"), make("p", "caption")];
   const scale = make("div", "legend", make("span", "legend-bar"), scaleText);
   const element = make("fieldset", "choice", legend, segments, help, scale);

@@ -65,7 +65,7 @@ impl Camera {
 
     /// Applies a change of the visible area; a camera in its home view stays in it.
     pub(super) fn keep_home(&mut self, change: impl FnOnce(&mut Self)) {
-        let is_home = self.framed.is_some() && self.goal == self.home();
+        let is_home = self.framed.is_some() && self.goal.is_near(&self.home());
         change(self);
         if is_home {
             self.goal = self.home();
