@@ -12,7 +12,7 @@ use crate::{FaceModel, LANDMARK_COUNT};
 const EYES: [Opening; 2] = [Opening::RightEye, Opening::LeftEye];
 
 /// Longest edge in a carved eye. All lengths are relative to the distance between the corners of the eye.
-const EDGE: f64 = 0.025;
+const EDGE: f64 = 0.016;
 /// Largest number of times that the edges are halved.
 const MAX_HALVINGS: usize = 7;
 
@@ -205,8 +205,8 @@ struct Refined {
 }
 
 impl Refined {
-    /// Halves edges inside the triangles until none is longer than `longest`; those on their rim stay. Each triangle
-    /// has the index of its parent. Also returns the rim.
+    /// Halves edges inside the triangles that are longer than `longest`; those on their rim stay. Each triangle has the
+    /// index of its parent. Also returns the rim.
     fn halved(
         &mut self,
         mut triangles: Vec<(usize, [u32; 3])>,
@@ -220,13 +220,14 @@ impl Refined {
             directed.iter().filter(|[a, b]| !directed.contains(&[*b, *a])).map(|&[a, b]| (a, b)).collect();
         let is_rim = |[a, b]: [u32; 2]| rim.get(&a) == Some(&b) || rim.get(&b) == Some(&a);
         for _ in 0..MAX_HALVINGS {
-            let length = |[a, b]: [u32; 2]| positions_m[a as usize].distance(positions_m[b as usize]);
-            let inner = || triangles.iter().flat_map(|(_, corners)| sides(*corners)).filter(|side| !is_rim(*side));
-            if inner().all(|side| length(side) <= longest) {
+            let is_long = |[a, b]: [u32; 2]| positions_m[a as usize].distance(positions_m[b as usize]) > longest;
+            let all = triangles.iter().flat_map(|(_, corners)| sides(*corners));
+            let long: Vec<[u32; 2]> = all.filter(|side| !is_rim(*side) && is_long(*side)).collect();
+            if long.is_empty() {
                 break;
             }
             let mut middles: HashMap<[u32; 2], u32> = HashMap::new();
-            for [a, b] in inner() {
+            for [a, b] in long {
                 middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
                     self.midpoints.push([a.min(b), a.max(b)]);
                     positions_m.push(positions_m[a as usize].midpoint(positions_m[b as usize]));

@@ -40,6 +40,11 @@ fn a_carved_face_is_a_disc_with_the_same_rim_and_skin() {
         let eyes = carved(&topology, &positions);
         let depths = eyes.depths(&positions);
         assert_eq!(depths.len(), eyes.topology().vertex_count());
+        assert!(
+            depths.len() - positions.len() < 16_000,
+            "{levels}: {} vertices are added",
+            depths.len() - positions.len()
+        );
         assert_eq!(eyes.topology().boundary_loops(), topology.boundary_loops());
         let sides: Vec<[u32; 2]> =
             eyes.topology().triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
