@@ -50,12 +50,23 @@ impl Dirichlet {
         self.constrained == constrained && self.kind == kind
     }
 
-    /// See [`ConstrainedForm::minimise`](crate::gauge_fixed::ConstrainedForm::minimise).
+    /// See [`ConstrainedForm::minimise`](crate::gauge_fixed::ConstrainedForm::minimise). `load`, `targets` and `out` can
+    /// hold several columns one after the other.
     pub(crate) fn minimise(&self, load: Option<&[f64]>, targets: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         match load {
             Some(load) => out.copy_from_slice(load),
             None => out.fill(0.0),
         }
+        let columns = targets.len() / self.constrained.len();
+        let rows = out.len() / columns;
+        for (out, targets) in out.chunks_exact_mut(rows).zip(targets.chunks_exact(self.constrained.len())) {
+            self.constrain(targets, out);
+        }
+        self.factor.solve_in(out, scratch);
+    }
+
+    /// Adds the constraints to the right-hand side.
+    fn constrain(&self, targets: &[f64], out: &mut [f64]) {
         for (&vertex, target) in self.constrained.iter().zip(targets) {
             match self.kind {
                 ConstraintKind::Soft { weight } => out[vertex as usize] += weight * target,
@@ -65,6 +76,5 @@ impl Dirichlet {
         for &(free, constrained, value) in &self.pull {
             out[free] -= value * targets[constrained];
         }
-        self.factor.solve_in(out, scratch);
     }
 }

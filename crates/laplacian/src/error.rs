@@ -56,6 +56,12 @@ pub enum LaplacianError {
         /// The given weight.
         weight: f64,
     },
+    /// A tension is negative or not finite.
+    #[error("a tension must be at least 0 and finite; got {tension}")]
+    Tension {
+        /// The given tension.
+        tension: f64,
+    },
     /// A region's radius is not positive and finite.
     #[error("a region's radius must be positive and finite; got {radius}")]
     Radius {

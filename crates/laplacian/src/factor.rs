@@ -22,7 +22,7 @@ pub struct Factor {
     values: Vec<f64>,
 }
 
-/// Scratch buffer for the solves of one factor.
+/// Scratch buffer for the solves of one factor, of up to a number of columns at once.
 pub(crate) struct Scratch(MemBuffer);
 
 impl Factor {
@@ -43,19 +43,22 @@ impl Factor {
     /// # Panics
     /// If the length of `b` is not the number of rows.
     pub fn solve(&self, b: &mut [f64]) {
-        self.solve_in(b, &mut self.scratch());
+        assert_eq!(b.len(), self.symbolic.nrows(), "one value for each row");
+        self.solve_in(b, &mut self.scratch(1));
     }
 
-    /// [`Self::solve`] without an allocation, in a buffer from [`Self::scratch`].
+    /// [`Self::solve`] for columns one after the other, without an allocation, in a buffer from [`Self::scratch`]. Reads
+    /// the factor once for all columns.
     pub(crate) fn solve_in(&self, b: &mut [f64], Scratch(memory): &mut Scratch) {
         let rows = self.symbolic.nrows();
-        assert_eq!(b.len(), rows, "one value for each row");
-        let (factor, b) = (LltRef::new(&self.symbolic, &self.values), MatMut::from_column_major_slice_mut(b, rows, 1));
+        let columns = b.len() / rows;
+        let b = MatMut::from_column_major_slice_mut(b, rows, columns);
+        let factor = LltRef::new(&self.symbolic, &self.values);
         factor.solve_in_place_with_conj(Conj::No, b, Par::Seq, MemStack::new(memory));
     }
 
-    pub(crate) fn scratch(&self) -> Scratch {
-        Scratch(MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq)))
+    pub(crate) fn scratch(&self, columns: usize) -> Scratch {
+        Scratch(MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(columns, Par::Seq)))
     }
 
     /// Returns the entries of `A⁻¹` between these vertices: `⟨L⁻¹ P e_v, L⁻¹ P e_w⟩`.

@@ -95,7 +95,7 @@ impl ConstrainedForm {
                 out.iter_mut().zip(pulled).for_each(|(value, pulled)| *value += pulled);
                 saddle_point.add_constants(&c, &form.component, out);
             }
-            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out, &mut dirichlet.factor.scratch()),
+            Method::Dirichlet(dirichlet) => dirichlet.minimise(load, targets, out, &mut dirichlet.factor.scratch(1)),
         }
         if self.kind == ConstraintKind::Hard {
             // The solve meets the targets up to rounding; assign them exactly.

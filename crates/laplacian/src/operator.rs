@@ -88,7 +88,7 @@ impl Operator {
 }
 
 /// `diag(W·1) − W`, with one weight per entry of [`Topology::edges`].
-fn laplacian_matrix(topology: &Topology, weights: &[f64]) -> CsrMatrix<f64> {
+pub(crate) fn laplacian_matrix(topology: &Topology, weights: &[f64]) -> CsrMatrix<f64> {
     let n = topology.vertex_count();
     let mut entries = CooMatrix::new(n, n);
     // Isolated vertices get an explicit zero, so that every row stores its diagonal.

@@ -43,9 +43,18 @@ pub(crate) fn root_masses(topology: &Topology, positions: &[DVec3]) -> Vec<f64> 
     let scale = unit_scale(positions);
     let positions: Vec<DVec3> = positions.iter().map(|&position| position * scale).collect();
     let masses = barycentric_areas(topology, &positions);
-    let mean = masses.iter().sum::<f64>() / masses.len() as f64;
+    let mean = mean(&masses);
     let root = |mass: f64| (mass / mean).max(MIN_MASS).sqrt();
     masses.into_iter().map(|mass| if mean > 0.0 { root(mass) } else { 1.0 }).collect()
+}
+
+/// The mean of [`barycentric_areas`], in the squared unit of the positions.
+pub(crate) fn mean_mass(topology: &Topology, positions: &[DVec3]) -> f64 {
+    mean(&barycentric_areas(topology, positions))
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
 }
 
 /// For each vertex, a third of the area of its triangles.
@@ -65,8 +74,24 @@ pub(crate) fn barycentric_areas(topology: &Topology, positions: &[DVec3]) -> Vec
 /// If a triangle's area `A` is below `A' = MIN_SHAPE · longest²`, its share is
 /// `(A/A')·cotangent-with-A' + (1 − A/A')·uniform`: continuous, and positive semi-definite for every shape.
 pub(crate) fn cotangent(topology: &Topology, positions: &[DVec3]) -> Vec<f64> {
+    summed(topology, &cotangent_shares(topology, positions))
+}
+
+/// [`cotangent`], with each triangle's share multiplied by the mean of its corners' factors. Positive semi-definite for
+/// non-negative factors.
+pub(crate) fn scaled_cotangent(topology: &Topology, positions: &[DVec3], factors: &[f64]) -> Vec<f64> {
+    let mut shares = cotangent_shares(topology, positions);
+    for (shares, corners) in shares.iter_mut().zip(topology.triangles()) {
+        let mean = corners.iter().map(|&corner| factors[corner as usize]).sum::<f64>() / 3.0;
+        shares.iter_mut().for_each(|share| *share *= mean);
+    }
+    summed(topology, &shares)
+}
+
+/// The weight of each edge, from the triangles' shares.
+fn summed(topology: &Topology, shares: &[[f64; 3]]) -> Vec<f64> {
     let mut weights = vec![0.0; topology.edges().len()];
-    for (edges, shares) in triangle_edges(topology).zip(cotangent_shares(topology, positions)) {
+    for (edges, shares) in triangle_edges(topology).zip(shares) {
         edges.into_iter().zip(shares).for_each(|(edge, share)| weights[edge] += share);
     }
     weights

@@ -10,7 +10,10 @@ use crate::{Document, StudioError};
 pub const FALLOFF_BAND_SHARES: RangeInclusive<f64> = 0.1..=0.8;
 
 /// Default falloff band, as a share of the longer side of the face.
-pub const DEFAULT_FALLOFF_BAND: f64 = 0.35;
+pub const DEFAULT_FALLOFF_BAND: f64 = 0.45;
+
+/// Stiff strip around the face, as a share of its longer side: room for the skin beyond the control points, and an ear.
+pub(crate) const STIFF_STRIP: f64 = 0.18;
 
 /// Depth tolerance of the visibility test, in metres.
 const BEHIND_M: f64 = 0.004;
@@ -44,15 +47,21 @@ impl PhotoWarp {
         let positions: Vec<DVec3> = document.rest().iter().map(|&position_m| project(camera, position_m)).collect();
         let skin = without_fillings(face.topology().triangles(), document.topology().triangles());
         let (vertices, from_px) = driving_vertices(&skin, &positions);
-        let falloff_band_px = falloff_band * longer_side(&from_px);
-        let subject = Subject { size_px: face.photo_size_px(), points_px: &from_px, falloff_band_px, protected };
+        let side_px = longer_side(&from_px);
+        let subject = Subject {
+            size_px: face.photo_size_px(),
+            points_px: &from_px,
+            falloff_band_px: falloff_band * side_px,
+            stiff_strip_px: STIFF_STRIP * side_px,
+            protected,
+        };
         let warp = Warp::new(&subject)?;
         Ok(Self { vertices, to_px: from_px.clone(), from_px, warp })
     }
 
     /// Moves the photo with the vertices, from `rest_m` seen by the camera `from` to `now_m` seen by `to`: the photo's
     /// camera, or the same at another distance. Positions are in metres in the model's frame. Costs one back
-    /// substitution per axis.
+    /// substitution of both axes.
     pub fn follow(&mut self, rest_m: &[DVec3], now_m: &[DVec3], from: &Camera, to: &Camera) {
         for ((target, from_px), &vertex) in self.to_px.iter_mut().zip(&self.from_px).zip(&self.vertices) {
             let positions = (from.project(rest_m[vertex as usize]), to.project(now_m[vertex as usize]));

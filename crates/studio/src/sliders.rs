@@ -181,7 +181,7 @@ impl FaceSlider {
                 handles: All(Region::RightBrow, [0.0, 1.0, 0.0]),
             },
             Self::Cheekbones => Definition {
-                range_m: 0.008, plane: XZ, oval: inside, pins: &[33, 133, 145, 129, 61],
+                range_m: 0.004, plane: XZ, oval: inside, pins: &[33, 133, 145, 129, 61],
                 handles: Each(&[
                     (117, [-0.7, 0.0, 0.7]), (123, [-0.7, 0.0, 0.7]), (50, [-0.7, 0.0, 0.7]), (116, [-0.7, 0.0, 0.7]),
                 ]),

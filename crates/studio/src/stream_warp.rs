@@ -3,7 +3,7 @@ use rosto_warp::{Subject, Warp, WarpMesh};
 
 use crate::StudioError;
 use crate::fading::smooth_step;
-use crate::photo_warp::{driving_vertices, longer_side};
+use crate::photo_warp::{STIFF_STRIP, driving_vertices, longer_side};
 
 /// Edits of a face applied to consecutive frames of a camera stream.
 ///
@@ -50,8 +50,8 @@ const TAPER: f64 = 0.25;
 
 impl StreamWarp {
     /// Warps the next frame, of `size_px`, so that the vertices move from `places` (px, y down, and metres towards the
-    /// camera) to `targets_px`. `falloff_band` is a share of the face's longer side. Costs two solves per
-    /// axis. The first frame, and each frame after a large change of the face, also needs a factorisation and calls
+    /// camera) to `targets_px`. `falloff_band` is a share of the face's longer side. Costs two solves.
+    /// The first frame, and each frame after a large change of the face, also needs a factorisation and calls
     /// `skin` for the triangles.
     ///
     /// # Errors
@@ -108,6 +108,7 @@ impl StreamWarp {
             size_px,
             points_px: &from_px,
             falloff_band_px: key.falloff_band * longer_side_px,
+            stiff_strip_px: STIFF_STRIP * longer_side_px,
             protected: &[],
         };
         let warp = Warp::new(&subject)?;

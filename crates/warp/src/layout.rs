@@ -9,6 +9,9 @@ use crate::cells::Cells;
 /// too fine a lattice, a wider one too large a lattice.
 pub const FALLOFF_BAND_SHARES: RangeInclusive<f64> = 0.05..=3.0;
 
+/// Maximum width of the stiff strip, as a share of the falloff band; the rest must have room for the strain.
+pub const MAX_STRIP_SHARE: f64 = 0.4;
+
 /// Points that lead a warp, and the parameters of the area around them.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject<'a> {
@@ -18,6 +21,9 @@ pub struct Subject<'a> {
     pub points_px: &'a [DVec2],
     /// Width of the falloff band in px, within [`FALLOFF_BAND_SHARES`] of the longer side of the points' bounding box.
     pub falloff_band_px: f64,
+    /// Width in px of the stiff strip: what lies next to the points moves with them, nearly rigidly, and the rest of the
+    /// falloff band takes the strain. At most [`MAX_STRIP_SHARE`] of the falloff band is used; 0 for no strip.
+    pub stiff_strip_px: f64,
     /// Protected circles, whose pixels do not change.
     pub protected: &'a [Dab],
 }
@@ -49,6 +55,8 @@ pub(crate) struct Layout {
     pub points: Vec<DVec2>,
     pub roles: Vec<Role>,
     pub triangles: Vec<[u32; 3]>,
+    /// Tension of the falloff band at each point, in px⁻².
+    pub tension: Vec<f64>,
     /// Lattice spacing in px.
     pub spacing: f64,
 }
@@ -64,6 +72,10 @@ const NODE_CLEARANCE: f64 = 0.55;
 const POINT_CLEARANCE: f64 = 0.05;
 /// Distance from fixed areas within which displacements taper off, in lattice spacings.
 const TAPER: f64 = 2.0;
+/// Ratio of the stiff strip's width to the length over which it bends.
+const STIFFNESS: f64 = 16.0;
+/// Share of the stiff strip's width from which its tension fades to zero.
+const FADES_FROM: f64 = 0.5;
 
 impl Layout {
     pub(crate) fn of(subject: &Subject<'_>) -> Result<Self, WarpError> {
@@ -159,7 +171,16 @@ impl<'a> Plan<'a> {
         for &corner in triangles.iter().filter(is_protected).flatten() {
             roles[corner as usize] = Role::Fixed;
         }
-        Layout { triangles, points, roles, spacing: self.spacing }
+        let tension = points.iter().map(|&point| self.tension(point)).collect();
+        Layout { triangles, points, roles, tension, spacing: self.spacing }
+    }
+
+    /// High next to the leading points, zero beyond the stiff strip.
+    fn tension(&self, position: DVec2) -> f64 {
+        let width_px = self.subject.stiff_strip_px.clamp(0.0, MAX_STRIP_SHARE * self.subject.falloff_band_px);
+        let beyond = self.distance_to_subject(position) / width_px;
+        let faded = smooth_step((beyond - FADES_FROM) / (1.0 - FADES_FROM));
+        if width_px > 0.0 { (STIFFNESS / width_px).powi(2) * (1.0 - faded) } else { 0.0 }
     }
 
     /// Whether a protected circle intersects the triangle.

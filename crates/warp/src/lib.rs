@@ -2,9 +2,10 @@
 //! the points, up to a border beyond which nothing moves.
 //!
 //! [`Warp`] triangulates the picture (`layout`): the points, a lattice around and between them, and the border. Around
-//! the points, the displacement has zero bi-Laplacian, with value and slope zero at the border. Offsets are reduced
-//! to keep triangles from folding (`folds`, `coarse`). [`drawn`] renders the warped picture. [`leading`] selects the
-//! vertices of a surface that can lead a warp: those that are [`seen()`] and not close to another part of the surface.
+//! the points, the displacement is a thin plate under tension, with value and slope zero at the border; the tension
+//! makes a strip next to the points nearly rigid. Offsets are reduced to keep triangles from folding (`folds`,
+//! `coarse`). [`drawn`] renders the warped picture. [`leading`] selects the vertices of a surface that can lead a warp:
+//! those that are [`seen()`] and not close to another part of the surface.
 //! The crate does not depend on faces.
 
 mod cells;
@@ -19,7 +20,7 @@ mod warp;
 
 pub use draw::drawn;
 pub use error::WarpError;
-pub use layout::{Dab, FALLOFF_BAND_SHARES, Subject};
+pub use layout::{Dab, FALLOFF_BAND_SHARES, MAX_STRIP_SHARE, Subject};
 pub use seen::seen;
 pub use surfaces::leading;
 pub use warp::{Warp, WarpMesh};

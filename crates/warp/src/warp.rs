@@ -1,5 +1,5 @@
 use glam::{DVec2, DVec3};
-use rosto_laplacian::{Continuation, Operator};
+use rosto_laplacian::Continuation;
 use rosto_mesh::Topology;
 
 use crate::coarse::Coarse;
@@ -38,6 +38,7 @@ struct FalloffSystem {
     /// Indices into `points` of the fixed ones.
     fixed: Vec<u32>,
     continuation: Continuation,
+    /// All x, then all y, of the fixed points and of all points.
     fixed_values: Vec<f64>,
     values: Vec<f64>,
 }
@@ -50,9 +51,9 @@ impl Warp {
     pub fn new(subject: &Subject<'_>) -> Result<Self, WarpError> {
         let layout = Layout::of(subject)?;
         let coarse = Coarse::new(&layout);
-        let Layout { points, roles, triangles, .. } = layout;
+        let Layout { points, roles, triangles, tension, .. } = layout;
         let topology = Topology::new(points.len(), triangles)?;
-        let falloff = FalloffSystem::new(&topology, &points, &roles)?;
+        let falloff = FalloffSystem::new(&topology, &points, &roles, &tension)?;
         let fold_removal = FoldRemoval::new(topology.triangles(), &points, &roles);
         let warp_mesh = WarpMesh { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
         let offsets_px = vec![DVec2::ZERO; roles.len()];
@@ -142,7 +143,7 @@ impl WarpMesh {
 
 impl FalloffSystem {
     /// Returns `None` without free points.
-    fn new(topology: &Topology, points: &[DVec2], roles: &[Role]) -> Result<Option<Self>, WarpError> {
+    fn new(topology: &Topology, points: &[DVec2], roles: &[Role], tension: &[f64]) -> Result<Option<Self>, WarpError> {
         let is_free: Vec<bool> = roles.iter().map(|role| *role == Role::Free).collect();
         if !is_free.contains(&true) {
             return Ok(None);
@@ -157,19 +158,22 @@ impl FalloffSystem {
         let part = Topology::new(near.len(), triangles)?;
         let positions: Vec<DVec3> = near.iter().map(|&point| points[point as usize].extend(0.0)).collect();
         let fixed: Vec<u32> = (0..near.len() as u32).filter(|&index| !is_free[near[index as usize] as usize]).collect();
-        let continuation = Continuation::new(&part, &positions, Operator::CotangentMass, &fixed)?;
-        let (fixed_values, values) = (vec![0.0; fixed.len()], vec![0.0; near.len()]);
+        let tension: Vec<f64> = near.iter().map(|&point| tension[point as usize]).collect();
+        let continuation = Continuation::under_tension(&part, &positions, &tension, &fixed)?;
+        let (fixed_values, values) = (vec![0.0; 2 * fixed.len()], vec![0.0; 2 * near.len()]);
         Ok(Some(Self { points: near, fixed, continuation, fixed_values, values }))
     }
 
     /// Interpolates the offsets of the free points.
     fn interpolate(&mut self, offsets_px: &mut [DVec2]) {
-        for axis in [0, 1] {
-            for (value, &index) in self.fixed_values.iter_mut().zip(&self.fixed) {
+        for (axis, values) in self.fixed_values.chunks_exact_mut(self.fixed.len()).enumerate() {
+            for (value, &index) in values.iter_mut().zip(&self.fixed) {
                 *value = offsets_px[self.points[index as usize] as usize][axis];
             }
-            self.continuation.continued(&self.fixed_values, &mut self.values);
-            for (&point, value) in self.points.iter().zip(&self.values) {
+        }
+        self.continuation.continued(&self.fixed_values, &mut self.values);
+        for (axis, values) in self.values.chunks_exact(self.points.len()).enumerate() {
+            for (&point, value) in self.points.iter().zip(values) {
                 offsets_px[point as usize][axis] = *value;
             }
         }

@@ -7,10 +7,18 @@ use crate::seeded::Seeded;
 /// Value and slope are continuous at the outer border of the falloff band.
 #[test]
 fn value_and_slope_vanish_at_the_border() {
+    // A cubic from 1 to 0 with zero end slope has fallen to a tenth at 4/5 of the distance, a straight line to a fifth.
+    assert_vanishing(0.0, 0.12);
+    // From a stiff strip on, the distance is shorter, and both are higher.
+    assert_vanishing(STIFF_STRIP_PX, 0.15);
+}
+
+fn assert_vanishing(stiff_strip_px: f64, limit: f64) {
     let mut seeded = Seeded::new(6);
     let points = oval(&mut seeded);
     let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::new(10.0, 0.0)).collect();
-    let warp = moved(&points, &targets);
+    let mut warp = Warp::new(&Subject { stiff_strip_px, ..subject(&points) }).unwrap();
+    warp.follow(&points, &targets);
     let warp_mesh = warp.warp_mesh();
     let offsets =
         || warp_mesh.from_px.iter().zip(&warp_mesh.to_px).map(|(from, to)| (nearest(&points, *from), *to - *from));
@@ -20,8 +28,7 @@ fn value_and_slope_vanish_at_the_border() {
     };
     assert_eq!(within(0.95, 9.0), 0.0, "beyond the border");
     assert!(within(0.0, 0.2) > 8.0, "next to the subject");
-    // A cubic from 1 to 0 with zero end slope has fallen to a tenth at 4/5 of the distance, a straight line to a fifth.
-    assert!(within(0.75, 0.95) < 0.12 * 10.0, "{}", within(0.75, 0.95));
+    assert!(within(0.75, 0.95) < limit * 10.0, "{}", within(0.75, 0.95));
     let falls: Vec<f64> = [0.1, 0.3, 0.5, 0.7, 0.9].map(|share| within(share - 0.1, share + 0.1)).to_vec();
     assert!(falls.is_sorted_by(|nearer, farther| nearer > farther), "{falls:?}");
 }
@@ -92,8 +99,7 @@ fn a_wider_falloff_band_changes_more_distant_pixels() {
     let targets: Vec<DVec2> = points.iter().map(|&point| point + DVec2::X * 8.0).collect();
     let photo = noise();
     let extents_px = [15.0, 30.0, 60.0].map(|falloff_band_px| {
-        let mut warp =
-            Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: &points, falloff_band_px, protected: &[] }).unwrap();
+        let mut warp = Warp::new(&Subject { falloff_band_px, ..subject(&points) }).unwrap();
         warp.follow(&points, &targets);
         let after = drawn(&photo, warp.warp_mesh());
         let changed = pixels(&photo).zip(pixels(&after)).filter(|((_, before), (_, after))| before != after);

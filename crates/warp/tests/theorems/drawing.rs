@@ -125,6 +125,7 @@ impl LargerWarp {
             size_px: [2 * SIDE, 2 * SIDE],
             points_px: &points,
             falloff_band_px: 2.0 * FALLOFF_BAND_PX,
+            stiff_strip_px: 2.0 * STIFF_STRIP_PX,
             protected: &[],
         };
         Self(rosto_warp::Warp::new(&subject).unwrap(), points)

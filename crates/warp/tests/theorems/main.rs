@@ -9,4 +9,5 @@ mod scenes;
 #[path = "../../../../tests/seeded.rs"]
 mod seeded;
 mod seeing;
+mod strip;
 mod symmetries;

@@ -5,7 +5,7 @@ use crate::scenes::*;
 use crate::seeded::Seeded;
 
 fn made(size_px: [u32; 2], points_px: &[DVec2], falloff_band_px: f64) -> Result<Warp, WarpError> {
-    Warp::new(&Subject { size_px, points_px, falloff_band_px, protected: &[] })
+    Warp::new(&Subject { size_px, falloff_band_px, ..subject(points_px) })
 }
 
 #[test]

@@ -8,6 +8,7 @@ use crate::seeded::Seeded;
 
 pub const SIDE: u32 = 200;
 pub const FALLOFF_BAND_PX: f64 = 40.0;
+pub const STIFF_STRIP_PX: f64 = 12.0;
 /// Centre and half axes of [`oval`].
 pub const MIDDLE: DVec2 = DVec2::new(98.0, 103.0);
 pub const AXES: DVec2 = DVec2::new(34.0, 45.0);
@@ -37,9 +38,18 @@ pub fn edited(points: &[DVec2], most_px: f64, seeded: &mut Seeded) -> Vec<DVec2>
     points.iter().map(|&point| point + offset(point)).collect()
 }
 
+pub fn subject(points_px: &[DVec2]) -> Subject<'_> {
+    Subject {
+        size_px: [SIDE, SIDE],
+        points_px,
+        falloff_band_px: FALLOFF_BAND_PX,
+        stiff_strip_px: STIFF_STRIP_PX,
+        protected: &[],
+    }
+}
+
 pub fn warp(points: &[DVec2], protected: &[Dab]) -> Warp {
-    Warp::new(&Subject { size_px: [SIDE, SIDE], points_px: points, falloff_band_px: FALLOFF_BAND_PX, protected })
-        .unwrap()
+    Warp::new(&Subject { protected, ..subject(points) }).unwrap()
 }
 
 pub fn moved(points: &[DVec2], targets: &[DVec2]) -> Warp {

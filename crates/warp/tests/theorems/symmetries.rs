@@ -8,8 +8,7 @@ use crate::seeded::Seeded;
 /// The picture warped from the points to the targets.
 fn warped(photo: &Photo, points: &[DVec2], targets: &[DVec2]) -> Photo {
     let size_px = [photo.width(), photo.height()];
-    let mut warp =
-        Warp::new(&Subject { size_px, points_px: points, falloff_band_px: FALLOFF_BAND_PX, protected: &[] }).unwrap();
+    let mut warp = Warp::new(&Subject { size_px, ..subject(points) }).unwrap();
     warp.follow(points, targets);
     drawn(photo, warp.warp_mesh())
 }
