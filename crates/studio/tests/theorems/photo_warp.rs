@@ -79,3 +79,45 @@ fn the_line_between_closed_lids_stays_smooth() {
         }
     }
 }
+
+/// Outline of the face next to the ears, from eye to mouth height, on the subject's right and left.
+const BESIDE_EARS: [[usize; 4]; 2] = [[127, 234, 93, 132], [356, 454, 323, 361]];
+
+/// Greatest relative change of the width of an ear next to the face, for a warp of the portrait taken from
+/// `distance_m`.
+fn ear_stretch(distance_m: f64, slider: Option<(FaceSlider, f64)>, seen_from_m: Option<f64>) -> f64 {
+    let landmarks = portrait_landmarks();
+    let px =
+        |landmark: usize| DVec2::new(landmarks[landmark][0].into(), landmarks[landmark][1].into()) * f64::from(SIZE_PX);
+    let ear_px = 0.15 * px(BESIDE_EARS[0][1]).distance(px(BESIDE_EARS[1][1]));
+    let observation = observed(landmarks.clone(), SIZE_PX, PhotoLens::Distance(distance_m));
+    let face = FaceModel::new(observation, Triangulation::Tessellation).unwrap();
+    let mut document = Document::new(Rest::of_face(&face)).unwrap();
+    if let Some((slider, amount_m)) = slider {
+        document.apply(slider.id(), slider.command(amount_m)).unwrap();
+    }
+    let mut photo_warp = PhotoWarp::new(&face, &document, DEFAULT_FALLOFF_BAND, &[]).unwrap();
+    let seen_by = seen_from_m.map_or(*face.camera(), |distance_m| face.seen_from(distance_m));
+    photo_warp.follow(document.rest(), document.positions(), face.camera(), &seen_by);
+    let stretch = |inner: DVec2, outwards: f64| {
+        let outer = inner + DVec2::X * outwards * ear_px;
+        let [inner_to, outer_to] = [inner, outer].map(|point| warped(photo_warp.warp_mesh(), point));
+        ((outer_to.x - inner_to.x) / (outer.x - inner.x) - 1.0).abs()
+    };
+    let sides = BESIDE_EARS.into_iter().zip([-1.0, 1.0]);
+    sides.flat_map(|(side, outwards)| side.map(|landmark| stretch(px(landmark), outwards))).fold(0.0, f64::max)
+}
+
+#[test]
+fn ears_are_nearly_rigid() {
+    for &slider in FaceSlider::ALL {
+        for amount_m in [-slider.range_m(), slider.range_m()] {
+            let stretch = ear_stretch(0.6, Some((slider, amount_m)), None);
+            assert!(stretch < 0.1, "{slider:?} {amount_m} m: {stretch}");
+        }
+    }
+    for distance_m in [0.3, 0.4] {
+        let stretch = ear_stretch(distance_m, None, Some(3.0));
+        assert!(stretch < 0.1, "from {distance_m} m: {stretch}");
+    }
+}
