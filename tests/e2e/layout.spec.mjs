@@ -49,7 +49,7 @@ const FAULTS = [
   ["leaves the window", "#hint", "left: -40px; transform: none", /#hint leaves #stage sideways by 40 px/],
   ["is cut", "#photo-change", "width: 24px", /the text of #photo-change is \d+ px wider than its box/],
   ["wraps", "#tab-export", "width: 40px; padding: 0; overflow-wrap: anywhere", /the text of #tab-export wraps/],
-  ["is covered", "#hint", "inset: 0; transform: none; z-index: 9", /#toolbar button\.icon-button is covered by #hint/],
+  ["is covered", "#hint", "inset: 0; width: auto; max-width: none; transform: none; z-index: 9", /#toolbar button\.icon-button is covered by #hint/],
   ["scrolls sideways", "#section-photo", "width: 400px", /#sections scrolls sideways by/],
 ];
 

@@ -21,8 +21,8 @@ export function nameOf(element) {
 
 /** Elements over the 3D view. Excludes full-height ones that let pointer events through. */
 export function floats() {
-  const outer = ".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .focus-note), #toast, #faces, .welcome > *";
-  const isWhole = (element) => element.matches(".wipe") && element.clientHeight === element.parentElement?.clientHeight;
+  const outer = ".stage > :not(.viewport, .visually-hidden, .welcome, .drop-veil, .focus-note, .photo-pane), #toast, #faces, .welcome > *";
+  const isWhole = (element) => element.matches(".wipe");
   const all = [...document.querySelectorAll(outer)];
   return all.filter((element) => isSeen(element) && element.checkVisibility({ opacityProperty: true }) && !isWhole(element));
 }

@@ -59,8 +59,8 @@ export function setUpBeforeAfter(host: Host) {
     document.body.toggleAttribute("data-comparing", held || !edge.hidden);
   };
   const applyEdge = () => {
-    const width = edge.clientWidth;
-    const share = (THUMB_PX / 2 + edge.valueAsNumber * (width - THUMB_PX)) / width;
+    const { offsetLeft, clientWidth } = edge;
+    const share = (offsetLeft + THUMB_PX / 2 + edge.valueAsNumber * (clientWidth - THUMB_PX)) / host.canvas.clientWidth;
     words.style.setProperty("--wipe", `${100 * share}%`);
     host.apply({ wipe: edge.hidden ? undefined : share });
   };
