@@ -25,7 +25,7 @@ test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm d
   assert.ok(Math.abs(height - 80) < 2, `${height} mm high`);
   await expect(page.locator("#print-thin")).toHaveText(/^2 mm asked, thinnest [\d.]+ mm: /);
   assert.equal(await page.getAttribute("#print-thin", "data-tone"), "warning");
-  await expect(page.locator("#print-supports")).toHaveText(/^Print it (lying on its back|standing)/);
+  await expect(page.locator("#print-supports")).toHaveText(/^Print it (lying on its back|upright)/);
 
   const body = await pixels();
   assert.ok(!body.equals(face), "the stage shows the face");

@@ -98,7 +98,7 @@ fn body_notes(solid: &SolidFacts) -> Vec<String> {
     }
     let pose = match solid.pose {
         PrintPose::Lying => "lying on its back",
-        PrintPose::Standing => "standing",
+        PrintPose::Upright => "upright",
     };
     lines.push(match *overhang_cm2 > 0.0 {
         true => format!("print it {pose}, with supports: {:.0} cm² overhang", overhang_cm2.max(1.0)),

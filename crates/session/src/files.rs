@@ -110,8 +110,8 @@ pub struct BodyFacts {
     pub moved_mm: f64,
     /// Mass in g if printed in PLA with usual settings.
     pub pla_grams: f64,
-    /// Whether to print it standing rather than lying on its back.
-    pub is_standing: bool,
+    /// Whether to print it upright rather than lying on its back.
+    pub is_upright: bool,
     /// Area that needs supports, in cm²; 0 if none does.
     pub overhang_cm2: f64,
 }

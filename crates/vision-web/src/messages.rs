@@ -134,8 +134,8 @@ pub struct SolidFacts {
     pub moved_mm: f64,
     /// Mass in g if printed in PLA, with shells of 1.2 mm and 15 % infill.
     pub pla_grams: f64,
-    /// Whether to print it standing rather than lying on its back.
-    pub is_standing: bool,
+    /// Whether to print it upright rather than lying on its back.
+    pub is_upright: bool,
     /// Area that needs supports, in cm²; 0 if none does.
     pub overhang_cm2: f64,
 }
@@ -204,7 +204,7 @@ impl From<rosto::SolidFacts> for SolidFacts {
     fn from(facts: rosto::SolidFacts) -> Self {
         let rosto::SolidFacts { volume_cm3, asked_mm, thinnest_mm, thin_share, moved_mm, overhang_cm2, .. } = facts;
         let (size_mm, pla_grams) = (facts.size_mm.to_array(), facts.pla_g);
-        let is_standing = facts.pose == rosto::PrintPose::Standing;
-        Self { volume_cm3, size_mm, asked_mm, thinnest_mm, thin_share, moved_mm, pla_grams, is_standing, overhang_cm2 }
+        let is_upright = facts.pose == rosto::PrintPose::Upright;
+        Self { volume_cm3, size_mm, asked_mm, thinnest_mm, thin_share, moved_mm, pla_grams, is_upright, overhang_cm2 }
     }
 }

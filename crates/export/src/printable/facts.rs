@@ -12,7 +12,7 @@ rosto_mesh::named! {
         /// On its back, with the face up.
         Lying = "lying",
         /// Upright, on the chin.
-        Standing = "standing",
+        Upright = "upright",
     }
 }
 
@@ -20,7 +20,7 @@ impl PrintPose {
     fn up(self) -> DVec3 {
         match self {
             Self::Lying => DVec3::Z,
-            Self::Standing => DVec3::Y,
+            Self::Upright => DVec3::Y,
         }
     }
 }
@@ -66,8 +66,8 @@ impl SolidFacts {
             (pose, if area_cm2 <= FREE_CM2 { 0.0 } else { area_cm2 })
         };
         // The first of equal ones: lying prints the face without visible steps.
-        let [lying, standing] = PrintPose::ALL.map(overhang);
-        let (pose, overhang_cm2) = if standing.1 < lying.1 { standing } else { lying };
+        let [lying, upright] = PrintPose::ALL.map(overhang);
+        let (pose, overhang_cm2) = if upright.1 < lying.1 { upright } else { lying };
         Self {
             volume_cm3: body.volume_m3() * CM3_PER_M3,
             size_mm: body.size_m() * MM_PER_M,

@@ -121,7 +121,7 @@ fn rows(body: &BodyFacts) -> Vec<(Phrase, Phrase)> {
 
 /// How to lay the body on the printer's bed, and whether it needs supports there.
 fn supports(body: &BodyFacts) -> Phrase {
-    let pose = if body.is_standing { "standing" } else { "lying" };
+    let pose = if body.is_upright { "upright" } else { "lying" };
     match body.overhang_cm2 > 0.0 {
         true => Phrase::word(format!("print.{pose}.supports")).number("n", body.overhang_cm2.max(1.0), 0),
         false => Phrase::word(format!("print.{pose}")),

@@ -15,7 +15,7 @@ const FACTS: BodyFacts = BodyFacts {
     thin_share: 0.0,
     moved_mm: 0.0,
     pla_grams: 18.0,
-    is_standing: false,
+    is_upright: false,
     overhang_cm2: 0.0,
 };
 
@@ -53,13 +53,13 @@ fn a_wall_thinner_than_asked_does_not_pass_without_a_word() {
 
 #[test]
 fn the_panel_says_how_to_lay_the_print_and_whether_it_needs_supports() {
-    for (is_standing, overhang_cm2, said) in [
+    for (is_upright, overhang_cm2, said) in [
         (false, 0.0, "print.lying"),
         (false, 12.0, "print.lying.supports"),
-        (true, 0.0, "print.standing"),
-        (true, 12.0, "print.standing.supports"),
+        (true, 0.0, "print.upright"),
+        (true, 12.0, "print.upright.supports"),
     ] {
-        let session = measured(BodyFacts { is_standing, overhang_cm2, ..FACTS });
+        let session = measured(BodyFacts { is_upright, overhang_cm2, ..FACTS });
         assert_eq!(key(&session, "print.supports").unwrap(), said);
     }
 }
