@@ -28,7 +28,10 @@ fn an_stl_encloses_the_reported_volume() {
             let (file, said) = printed("body.stl", &["--solid", solid, "--topology", topology]);
             let volume = volume_cm3(&file);
             assert!((least_cm3..most_cm3).contains(&volume), "{volume} cm³");
-            assert!(said.contains(&format!("a body of {volume:.1} cm³")) && said.contains("g in PLA with 15 % infill"), "{said}");
+            assert!(
+                said.contains(&format!("a body of {volume:.1} cm³")) && said.contains("g in PLA with 15 % infill"),
+                "{said}"
+            );
         }
     }
     let (surface, said) = printed("surface.stl", &["--solid", "surface"]);

@@ -5,7 +5,7 @@ use rosto_face::Triangulation;
 use rosto_session::{BodyFacts, Control, Intent, Phrase, Report, Selection, Session, Tone, Value};
 use rosto_stage::{Pointer, Scene, ShadingMode, Surface, Visibility};
 
-use crate::faces::{SIZE_PX, found, detected, open, session};
+use crate::faces::{SIZE_PX, detected, found, open, session};
 
 const FACTS: BodyFacts = BodyFacts {
     volume_cm3: 20.0,
