@@ -40,21 +40,26 @@ impl Continuation {
     }
 
     /// A thin plate under tension (Schweikert 1966): minimises `∫ (Δx)² + t‖∇x‖²` for a tension `t` per vertex, in the
-    /// reciprocal squared unit of `positions`.
+    /// reciprocal squared unit of `positions`. The plate is hinged at the vertices of `hinged`: it can bend there at no
+    /// cost, so that slopes do not continue across known ones.
     ///
     /// Over lengths beyond `1/√t` the extension resists slopes. Under a varying tension it is level at high
-    /// tension and changes at low tension. Without tension it is that of [`Operator::CotangentMass`].
+    /// tension and changes at low tension. Without tension and hinges it is that of [`Operator::CotangentMass`].
     ///
     /// # Errors
-    /// [`LaplacianError::Tension`] for a negative or non-finite tension, and the errors of [`Self::new`].
+    /// [`LaplacianError::Tension`] for a negative or non-finite tension, [`LaplacianError::BadlyScaled`] if neither
+    /// bending nor tension determines a value, and the errors of [`Self::new`].
     pub fn under_tension(
         topology: &Topology,
         positions: &[DVec3],
         tension: &[f64],
+        hinged: &[u32],
         known: &[u32],
     ) -> Result<Self, LaplacianError> {
-        let plate = Operator::CotangentMass.matrix(topology, positions)?;
+        let mut plate = Operator::CotangentMass.matrix(topology, positions)?;
         check_tension(topology, tension)?;
+        mask(hinged, topology.vertex_count())?;
+        hinged.iter().for_each(|&vertex| plate.row_mut(vertex as usize).values_mut().fill(0.0));
         // The plate's masses are divided by their mean.
         let mean_mass = weights::mean_mass(topology, positions);
         let membrane = laplacian_matrix(topology, &weights::scaled_cotangent(topology, positions, tension));
@@ -187,7 +192,7 @@ mod tests {
             out
         };
         let plate = of(Continuation::new(&topology, &positions, Operator::CotangentMass, &known).unwrap());
-        let slack = of(Continuation::under_tension(&topology, &positions, &[0.0; 144], &known).unwrap());
+        let slack = of(Continuation::under_tension(&topology, &positions, &[0.0; 144], &[], &known).unwrap());
         assert!(plate.iter().zip(&slack).all(|(plate, slack)| (plate - slack).abs() < 1e-12));
     }
 
@@ -201,7 +206,7 @@ mod tests {
         let tension: Vec<f64> =
             (0..SIDE * SIDE).map(|v| if column(v) < SIDE / 2 { tension / (unit * unit) } else { 0.0 }).collect();
         let mut out = vec![0.0; positions.len()];
-        let mut continuation = Continuation::under_tension(&topology, &positions, &tension, &known).unwrap();
+        let mut continuation = Continuation::under_tension(&topology, &positions, &tension, &[], &known).unwrap();
         continuation.continued(&values, &mut out);
         out
     }
@@ -224,17 +229,37 @@ mod tests {
     fn a_linear_function_extends_linearly_under_a_uniform_tension() {
         let (topology, positions) = plane();
         let known = rim(2);
-        let mut continuation = Continuation::under_tension(&topology, &positions, &[2.5; 144], &known).unwrap();
+        let mut continuation = Continuation::under_tension(&topology, &positions, &[2.5; 144], &[], &known).unwrap();
         let slope = |vertex: u32| positions[vertex as usize].dot(DVec3::new(0.5, -0.25, 0.0));
         let mut out = vec![0.0; positions.len()];
         continuation.continued(&known.iter().map(|&vertex| slope(vertex)).collect::<Vec<_>>(), &mut out);
         assert!((0..SIDE * SIDE).all(|vertex| (out[vertex as usize] - slope(vertex)).abs() < 1e-9));
     }
 
+    /// Four columns on the left are known, with a slope up to the last; two on the right are zero.
+    #[test]
+    fn a_slope_does_not_continue_across_hinges() {
+        let (topology, positions) = plane();
+        let column = |vertex: u32| vertex % SIDE;
+        let known: Vec<u32> = (0..SIDE * SIDE).filter(|&v| !(4..SIDE - 2).contains(&column(v))).collect();
+        let values: Vec<f64> = known.iter().map(|&v| if column(v) < 4 { f64::from(column(v)) } else { 0.0 }).collect();
+        let rim: Vec<u32> = known.iter().copied().filter(|&v| column(v) == 3).collect();
+        let next = |hinged: &[u32]| {
+            let mut out = vec![0.0; positions.len()];
+            let tension = [0.0; 144];
+            let mut continuation =
+                Continuation::under_tension(&topology, &positions, &tension, hinged, &known).unwrap();
+            continuation.continued(&values, &mut out);
+            out[(SIDE / 2 * SIDE + 4) as usize]
+        };
+        assert!(next(&[]) > 3.0, "it overshoots: {}", next(&[]));
+        assert!(next(&rim) < 3.0, "it falls: {}", next(&rim));
+    }
+
     #[test]
     fn invalid_tensions_are_rejected() {
         let (topology, positions) = plane();
-        let of = |tension: &[f64]| Continuation::under_tension(&topology, &positions, tension, &rim(2)).err();
+        let of = |tension: &[f64]| Continuation::under_tension(&topology, &positions, tension, &[], &rim(2)).err();
         assert_eq!(of(&[1.0]), Some(LaplacianError::LengthMismatch { expected: 144, found: 1 }));
         assert_eq!(of(&[-1.0; 144]), Some(LaplacianError::Tension { tension: -1.0 }));
         assert!(matches!(of(&[f64::NAN; 144]), Some(LaplacianError::Tension { .. })));

@@ -57,6 +57,8 @@ pub(crate) struct Layout {
     pub triangles: Vec<[u32; 3]>,
     /// Tension of the falloff band at each point, in px⁻².
     pub tension: Vec<f64>,
+    /// Whether each point lies beyond the gaps between the subject's points.
+    pub is_beyond: Vec<bool>,
     /// Lattice spacing in px.
     pub spacing: f64,
 }
@@ -74,6 +76,8 @@ const POINT_CLEARANCE: f64 = 0.05;
 const TAPER: f64 = 2.0;
 /// Ratio of the stiff strip's width to the length over which it bends.
 const STIFFNESS: f64 = 16.0;
+/// Distance from the subject from which a node lies beyond the gaps between its points, in lattice spacings.
+const GAP: f64 = 2.0;
 /// Share of the stiff strip's width from which its tension fades to zero.
 const FADES_FROM: f64 = 0.5;
 
@@ -172,7 +176,8 @@ impl<'a> Plan<'a> {
             roles[corner as usize] = Role::Fixed;
         }
         let tension = points.iter().map(|&point| self.tension(point)).collect();
-        Layout { triangles, points, roles, tension, spacing: self.spacing }
+        let is_beyond = points.iter().map(|&point| self.distance_to_subject(point) > GAP * self.spacing).collect();
+        Layout { triangles, points, roles, tension, is_beyond, spacing: self.spacing }
     }
 
     /// High next to the leading points, zero beyond the stiff strip.

@@ -43,17 +43,20 @@ struct FalloffSystem {
     values: Vec<f64>,
 }
 
+/// Edges from the first nodes beyond the gaps between the subject's points to its outline.
+const LAYERS_TO_OUTLINE: usize = 3;
+
 impl Warp {
     /// Triangulates the picture and factorises the system of the falloff band.
     ///
     /// # Errors
     /// [`WarpError::TooFewPoints`] or [`WarpError::FalloffBand`].
     pub fn new(subject: &Subject<'_>) -> Result<Self, WarpError> {
-        let layout = Layout::of(subject)?;
+        let mut layout = Layout::of(subject)?;
         let coarse = Coarse::new(&layout);
-        let Layout { points, roles, triangles, tension, .. } = layout;
-        let topology = Topology::new(points.len(), triangles)?;
-        let falloff = FalloffSystem::new(&topology, &points, &roles, &tension)?;
+        let topology = Topology::new(layout.points.len(), std::mem::take(&mut layout.triangles))?;
+        let falloff = FalloffSystem::new(&topology, &layout)?;
+        let Layout { points, roles, .. } = layout;
         let fold_removal = FoldRemoval::new(topology.triangles(), &points, &roles);
         let warp_mesh = WarpMesh { to_px: points.clone(), from_px: points, triangles: topology.triangles().to_vec() };
         let offsets_px = vec![DVec2::ZERO; roles.len()];
@@ -143,7 +146,8 @@ impl WarpMesh {
 
 impl FalloffSystem {
     /// Returns `None` without free points.
-    fn new(topology: &Topology, points: &[DVec2], roles: &[Role], tension: &[f64]) -> Result<Option<Self>, WarpError> {
+    fn new(topology: &Topology, layout: &Layout) -> Result<Option<Self>, WarpError> {
+        let Layout { points, roles, tension, .. } = layout;
         let is_free: Vec<bool> = roles.iter().map(|role| *role == Role::Free).collect();
         if !is_free.contains(&true) {
             return Ok(None);
@@ -159,7 +163,9 @@ impl FalloffSystem {
         let positions: Vec<DVec3> = near.iter().map(|&point| points[point as usize].extend(0.0)).collect();
         let fixed: Vec<u32> = (0..near.len() as u32).filter(|&index| !is_free[near[index as usize] as usize]).collect();
         let tension: Vec<f64> = near.iter().map(|&point| tension[point as usize]).collect();
-        let continuation = Continuation::under_tension(&part, &positions, &tension, &fixed)?;
+        let is_hinged = hinged(topology, layout);
+        let hinged: Vec<u32> = (0..near.len() as u32).filter(|&i| is_hinged[near[i as usize] as usize]).collect();
+        let continuation = Continuation::under_tension(&part, &positions, &tension, &hinged, &fixed)?;
         let (fixed_values, values) = (vec![0.0; 2 * fixed.len()], vec![0.0; 2 * near.len()]);
         Ok(Some(Self { points: near, fixed, continuation, fixed_values, values }))
     }
@@ -178,6 +184,17 @@ impl FalloffSystem {
             }
         }
     }
+}
+
+/// The subject's outline if it has a stiff strip, which then does not continue the slopes of the subject.
+fn hinged(topology: &Topology, layout: &Layout) -> Vec<bool> {
+    let beyond = (0..LAYERS_TO_OUTLINE).fold(layout.is_beyond.clone(), |beyond, _| dilated(topology, &beyond));
+    let is_stiff = |(role, tension): (&Role, &f64)| matches!(role, Role::Moved { .. }) && *tension > 0.0;
+    beyond
+        .iter()
+        .zip(layout.roles.iter().zip(&layout.tension))
+        .map(|(beyond, point)| *beyond && is_stiff(point))
+        .collect()
 }
 
 /// Clamps an offset; zero for NaN.
