@@ -2,13 +2,14 @@
 
 use glam::{DVec2, DVec3};
 
-/// Relative size of a determinant below which rounding decides its sign, so the points count as coplanar.
-const COPLANAR: f64 = 1e-13;
+/// Relative size of a determinant below which its sign counts as rounding. Positions come from solves, whose rounding is
+/// that of the whole face, and the smallest edges are a thousandth of it.
+const ROUNDING: f64 = 1e-9;
 
 /// Whether two triangles with at most two shared corners have a common point outside shared corners and edges.
 /// Touching counts.
 ///
-/// Tests each edge of one triangle against the other (by the signs of volumes); coplanar triangles by separating axes.
+/// Tests each edge of one triangle against the other; coplanar triangles by separating axes.
 pub(super) fn intersect(positions: &[DVec3], one: [u32; 3], other: [u32; 3]) -> bool {
     let points = |corners: [u32; 3]| corners.map(|corner| positions[corner as usize]);
     let (a, b) = (points(one), points(other));
@@ -38,10 +39,15 @@ fn pierces(points: [DVec3; 3], corners: [u32; 3], sides: [i8; 3], other: [DVec3;
     })
 }
 
-/// Whether the line through two points intersects or touches a triangle.
-fn passes(from: DVec3, to: DVec3, [a, b, c]: [DVec3; 3]) -> bool {
-    let around = [[a, b], [b, c], [c, a]].map(|[p, q]| side_of([from, to, p], q));
-    around.iter().all(|&side| side >= 0) || around.iter().all(|&side| side <= 0)
+/// Whether the point of an edge that is nearest to a triangle's plane is in the triangle or on its border. This is decided
+/// in the plane, because volumes of an edge nearly parallel to it are rounding.
+fn passes(from: DVec3, to: DVec3, other: [DVec3; 3]) -> bool {
+    let across = across(other);
+    let [low, high] = [from, to].map(|point| across.dot(point - other[0]));
+    let share = if low == high { 0.0 } else { (low / (low - high)).clamp(0.0, 1.0) };
+    let point = without_longest_axis(from.lerp(to, share), across);
+    let figure = other.map(|point| without_longest_axis(point, across));
+    edges(figure).all(|edge| edge.side_of(point) * edge.inside >= 0)
 }
 
 /// Side of a triangle's plane on which a point lies: 1, −1, or 0 if coplanar.
@@ -51,16 +57,21 @@ fn side_of([a, b, c]: [DVec3; 3], point: DVec3) -> i8 {
 }
 
 fn sign(determinant: f64, most: f64) -> i8 {
-    match determinant.abs() <= COPLANAR * most {
+    match determinant.abs() <= ROUNDING * most {
         true => 0,
         false if determinant > 0.0 => 1,
         false => -1,
     }
 }
 
+/// Normal of a triangle, twice as long as its area.
+fn across([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a)
+}
+
 /// Whether coplanar triangles overlap: no edge of either separates them.
 fn overlap(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
-    let [across_a, across_b] = [a, b].map(|[p, q, r]| (q - p).cross(r - p));
+    let [across_a, across_b] = [a, b].map(across);
     let across = if across_a.length_squared() > across_b.length_squared() { across_a } else { across_b };
     let [a, b] = [a, b].map(|points| points.map(|point| without_longest_axis(point, across)));
     !separates(a, b) && !separates(b, a)
@@ -76,13 +87,28 @@ fn without_longest_axis(point: DVec3, across: DVec3) -> DVec2 {
 }
 
 fn separates(figure: [DVec2; 3], other: [DVec2; 3]) -> bool {
-    (0..3).any(|at| {
+    edges(figure).any(|edge| other.into_iter().all(|point| edge.side_of(point) * edge.inside <= 0))
+}
+
+/// Edge of a triangle in the plane, and the side on which the triangle lies.
+struct Edge {
+    from: DVec2,
+    to: DVec2,
+    inside: i8,
+}
+
+impl Edge {
+    /// Side on which a point lies: 1, −1, or 0 if collinear.
+    fn side_of(&self, point: DVec2) -> i8 {
+        let (along, away) = (self.to - self.from, point - self.from);
+        sign(along.perp_dot(away), along.length() * away.length())
+    }
+}
+
+fn edges(figure: [DVec2; 3]) -> impl Iterator<Item = Edge> {
+    (0..3).map(move |at| {
         let [from, to, inner] = [0, 1, 2].map(|step| figure[(at + step) % 3]);
-        let side = |point: DVec2| {
-            let (along, away) = (to - from, point - from);
-            sign(along.perp_dot(away), along.length() * away.length())
-        };
-        let inside = side(inner);
-        other.into_iter().all(|point| side(point) * inside <= 0)
+        let edge = Edge { from, to, inside: 0 };
+        Edge { inside: edge.side_of(inner), ..edge }
     })
 }
