@@ -1,21 +1,11 @@
 use glam::{DVec3, Vec3};
 use rosto_mesh::Topology;
-use rosto_session::OpenFace;
 use rosto_stage::Visibility;
-use rosto_viewport::{MeshInput, Viewport};
 use wasm_bindgen::prelude::*;
 
 use crate::Studio;
-use crate::error::{FacadeError, Result};
-
-/// A printed body, as the worker made it from the open face.
-pub(crate) struct ShownPrint {
-    topology: Topology,
-    positions_m: Vec<DVec3>,
-    colours_srgb: Vec<[u8; 3]>,
-    /// Shape of the face from which it was made.
-    face_m: Vec<DVec3>,
-}
+use crate::error::FacadeError;
+use crate::shown::ShownPrint;
 
 /// The printed body on the stage.
 #[wasm_bindgen]
@@ -62,16 +52,5 @@ impl Studio {
             self.session.show_print(Visibility::Hidden);
         }
         is_outdated
-    }
-}
-
-impl ShownPrint {
-    fn is_of(&self, face: &OpenFace) -> bool {
-        face.document().positions() == self.face_m
-    }
-
-    pub(crate) fn show(&self, viewport: &mut Viewport) -> Result<()> {
-        let Self { topology, positions_m, colours_srgb, .. } = self;
-        Ok(viewport.show(&MeshInput { topology, positions_m, colours_srgb, uvs: &[], picture: None })?)
     }
 }

@@ -1,8 +1,12 @@
-//! Display state of the photo and the camera stream.
+//! Display state of the photo, the camera stream and the printed body.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use rosto_face::Photo;
-use rosto_viewport::PictureOnGpu;
+use rosto_mesh::Topology;
+use rosto_session::OpenFace;
+use rosto_viewport::{MeshInput, PictureOnGpu, Viewport};
+
+use crate::error::Result;
 
 /// Display state of the edited photo, on the stage and on the panel.
 #[derive(Default)]
@@ -29,4 +33,24 @@ pub(crate) struct CameraStream {
     pub(crate) version: Option<u32>,
     /// Whether the displayed mesh is textured with the camera stream.
     pub(crate) is_on_mesh: bool,
+}
+
+/// A printed body, as the worker made it from the open face.
+pub(crate) struct ShownPrint {
+    pub(crate) topology: Topology,
+    pub(crate) positions_m: Vec<DVec3>,
+    pub(crate) colours_srgb: Vec<[u8; 3]>,
+    /// Shape of the face from which it was made.
+    pub(crate) face_m: Vec<DVec3>,
+}
+
+impl ShownPrint {
+    pub(crate) fn is_of(&self, face: &OpenFace) -> bool {
+        face.document().positions() == self.face_m
+    }
+
+    pub(crate) fn show(&self, viewport: &mut Viewport) -> Result<()> {
+        let Self { topology, positions_m, colours_srgb, .. } = self;
+        Ok(viewport.show(&MeshInput { topology, positions_m, colours_srgb, uvs: &[], picture: None })?)
+    }
 }

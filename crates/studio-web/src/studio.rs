@@ -12,10 +12,9 @@ use web_sys::ImageBitmap;
 use crate::error::{FacadeError, Result};
 use crate::picture::{OpenPicture, Pictures};
 use crate::pieces::Pieces;
-use crate::print::ShownPrint;
 use crate::renderer::Renderer;
 use crate::sent::sent;
-use crate::shown::{CameraStream, PhotoShown};
+use crate::shown::{CameraStream, PhotoShown, ShownPrint};
 
 /// Number of seeds that a JavaScript number represents exactly.
 const SEEDS: f64 = 9_007_199_254_740_992.0;
