@@ -23,17 +23,22 @@ fn halves(screen: &Screen) -> PictureOnGpu {
     picture
 }
 
+/// A square picture around the origin with this half side.
+fn plane(half_m: f64) -> PicturePlane {
+    let per_px = 2.0 * half_m / f64::from(PICTURE_PX);
+    PicturePlane {
+        origin_m: DVec3::new(-half_m, half_m, 0.0),
+        right_m: DVec3::new(per_px, 0.0, 0.0),
+        down_m: DVec3::new(0.0, -per_px, 0.0),
+        size_px: DVec2::splat(f64::from(PICTURE_PX)),
+    }
+}
+
 /// A dome in front of its picture, whose middle column of points moves.
 async fn with_photo_layer() -> Screen {
     let mut screen = screen().await;
     screen.show(&dome().input());
-    let per_px = 2.0 / f64::from(PICTURE_PX);
-    screen.stage.set_picture(Some(PicturePlane {
-        origin_m: DVec3::new(-1.0, 1.0, 0.0),
-        right_m: DVec3::new(per_px, 0.0, 0.0),
-        down_m: DVec3::new(0.0, -per_px, 0.0),
-        size_px: DVec2::splat(f64::from(PICTURE_PX)),
-    }));
+    screen.stage.set_picture(Some(plane(1.0)));
     screen.stage.show(Scene::Picture);
     screen.stage.settle_picture();
     screen.stage.advance(0.0);
@@ -85,6 +90,7 @@ async fn behind_the_mesh_the_picture_is_dimmed_evenly() {
         triangles: &[[0, 1, 2], [0, 2, 3]],
         picture: &halves(&screen),
     }));
+    screen.stage.set_picture(Some(plane(2.0)));
     screen.stage.show(Scene::Solid);
     screen.stage.set_backdrop(Visibility::Shown);
     screen.stage.settle_picture();

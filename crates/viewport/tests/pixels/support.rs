@@ -50,6 +50,7 @@ pub async fn on(canvas: HtmlCanvasElement) -> Screen {
     screen.resize(SIDE_PX, SIDE_PX);
     screen.stage.frame(&corners());
     screen.stage.camera_mut().set_glide(Glide::Off);
+    screen.stage.use_tools(true);
     screen
 }
 
