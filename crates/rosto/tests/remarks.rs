@@ -30,6 +30,6 @@ fn doubtful_and_small_faces_have_remarks_the_doubt_first() {
         panic!()
     };
     assert!(double_px.abs_diff(2 * width_px) <= 3, "{width_px} and {double_px} px");
-    let small = pictures::scaled(&pictures::blurred(&photo, 5), 300, 300);
+    let small = pictures::scaled(&pictures::blurred(&photo, 3), 300, 300);
     assert!(matches!(remarks(&small)[..], [PhotoRemark::MayNotBeAFace { .. }, PhotoRemark::TinyFace { .. }]));
 }

@@ -94,7 +94,7 @@ pub struct FileArguments {
     #[arg(long, value_name = "SOLID", default_value_t = Solid::default())]
     pub solid: Solid,
     /// Height of that body in mm, or life for that of the face; a wall's thickness is that of the print
-    #[arg(long, value_name = "MM", default_value_t = PrintHeight::default())]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true, default_value_t = PrintHeight::default())]
     pub height_mm: PrintHeight,
     /// Shading of a .glb or .gltf
     #[arg(long, default_value = Material::default().id(),
