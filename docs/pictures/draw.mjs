@@ -13,6 +13,7 @@ const IMAGES = path.resolve(import.meta.dirname, "../images");
 const PICTURES = {
   ...Object.fromEntries(Object.keys(SCREENSHOTS).map((name) => [`${name}.png`, takeScreenshot])),
   "first-minute.jpg": drawFirstMinute,
+  "first-minute-phone.jpg": drawFirstMinute,
   "in-photo.jpg": drawInPhoto,
   "landmarks.svg": drawLandmarks,
   "expressions.jpg": drawExpressions,

@@ -1,46 +1,59 @@
-// The first minute on the page, with a mouse and with animations.
+// The first minute on the page: with a mouse on a desktop, and with fingers on a phone.
+import path from "node:path";
 import { STATES, allowDelayedReplies } from "../../tests/e2e/states.mjs";
 import { Visitor } from "../../tests/e2e/visitor.mjs";
 import { writeSheet } from "./sheet.mjs";
 
 /** @typedef {{ x: number, y: number }} Place CSS px of the window */
+/** A caption, and the action before its picture, which returns the pointer's place. @typedef {[string, (visitor: Visitor) => Promise<Place | void>]} Step */
 
-const WINDOW = { width: 1280, height: 800 };
-/** Frame time at which the opening animation has turned the face furthest. */
-const TURNED_MS = 1600;
-const STEP_MS = 100;
+/** Time after which a fade or a hint's change has ended. */
+const REST_MS = 1500;
 
-/** A caption, and the action before its picture, which returns the pointer's place. @type {[string, (visitor: Visitor) => Promise<Place | void>][]} */
-const STEPS = [
-  ["Open the page. There is nothing to install and no account.", (visitor) => visitor.untilLoaded()],
-  ["Drop a photo. It stays on the device.", (visitor) => state("working").enter(visitor)],
-  ["The photo becomes a mesh, which turns a little …", seeItArrive],
-  ["… and back. A dot marks a place to start.", seeItThere],
-  ["Drag the nose: the skin around it follows.", dragNose],
-  ["Drag next to the face to turn it.", turn],
-  ["Or move a slider.", slide],
-  ["Show the edit in the photo: before and after.", compareInPhoto],
-  ["Download a GLB for 3D programs.", download],
-];
+/** @type {Record<string, { visit: import("@playwright/test").BrowserContextOptions, columns: number, width: number, steps: Step[] }>} */
+const MINUTES = {
+  "first-minute": {
+    visit: { viewport: { width: 1280, height: 800 } },
+    columns: 3,
+    width: 640,
+    steps: [
+      ["Open the page. There is nothing to install and no account.", (visitor) => visitor.untilLoaded()],
+      ["Drop a photo. It stays on the device.", (visitor) => state("working").enter(visitor)],
+      ["The 3D face appears next to the photo.", arrive],
+      ["Drag next to the face to turn it.", turn],
+      ["Drag the nose: the skin around it follows.", dragNose],
+      ["Or move a slider.", (visitor) => slide(visitor, 0.8)],
+      ["Show the edits in the photo, before and after.", compareInPhoto],
+      ["Save the photo, or share it.", (visitor) => rest(visitor, "#save-main")],
+      ["Or download the 3D model as a GLB, for other programs.", openMenu],
+    ],
+  },
+  "first-minute-phone": {
+    visit: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+    columns: 4,
+    width: 480,
+    steps: [
+      ["Open the page.", (visitor) => visitor.untilLoaded()],
+      ["Choose a photo: the 3D face appears in it.", (visitor) => state("working").enter(visitor).then(() => arrive(visitor))],
+      ["Move a slider.", (visitor) => slide(visitor, 0.9)],
+      ["Save or share the edited photo.", openMenu],
+    ],
+  },
+};
 
-/** @param {import("@playwright/test").Browser} browser @param {string} file @param {string} url */
+/** @param {import("@playwright/test").Browser} browser @param {string} file named as one of the minutes @param {string} url */
 export async function drawFirstMinute(browser, file, url) {
-  const visitor = await Visitor.open(browser, url, {
-    viewport: WINDOW, reducedMotion: "no-preference", colorScheme: "light",
-    before: async (context) => {
-      await allowDelayedReplies(context);
-      await context.addInitScript(holdFrames);
-    },
-  });
+  const { visit, steps, ...layout } = MINUTES[path.parse(file).name];
+  const visitor = await Visitor.open(browser, url, { ...visit, reducedMotion: "no-preference", colorScheme: "light", before: allowDelayedReplies });
   const cells = [];
-  for (const [caption, act] of STEPS) {
+  for (const [caption, act] of steps) {
     const at = await act(visitor);
-    const pointer = at && { left: at.x / WINDOW.width, top: at.y / WINDOW.height };
+    const pointer = at && { left: at.x / visit.viewport.width, top: at.y / visit.viewport.height };
     cells.push({ picture: await visitor.page.screenshot(), caption: `${cells.length + 1}. ${caption}`, pointer });
   }
   visitor.assertNoErrors();
   await visitor.leave();
-  await writeSheet(browser, file, cells, { columns: 3, width: 640 });
+  await writeSheet(browser, file, cells, layout);
 }
 
 /** @param {string} id */
@@ -48,97 +61,61 @@ function state(id) {
   return STATES.find((state) => state.id === id);
 }
 
-/** Steps through the animation frame by frame, since a screenshot takes longer than the whole animation. @param {Visitor} visitor */
-async function seeItArrive(visitor) {
-  const hold = (/** @type {number} */ ms) => visitor.page.evaluate((ms) => window["holdFramesAfter"](ms), ms);
-  await hold(0);
+/** @param {Visitor} visitor */
+async function arrive(visitor) {
   await state("working").leave(visitor);
-  for (let ms = 0; ms <= TURNED_MS; ms += STEP_MS) {
-    await hold(ms);
-    await visitor.frames(3);
-  }
-}
-
-/** Runs in the page before its scripts. `holdFramesAfter(ms)` stops the frame clock that long after the face appears. */
-function holdFrames() {
-  const ask = window.requestAnimationFrame.bind(window);
-  let most_ms = Number.POSITIVE_INFINITY;
-  let since_ms = Number.NaN;
-  let late_ms = 0;
-  window.requestAnimationFrame = (draw) => ask((time_ms) => draw(timeFor(time_ms)));
-  const timeFor = (/** @type {number} */ time_ms) => {
-    if (document.body.dataset["state"] === "face" && Number.isNaN(since_ms)) since_ms = time_ms;
-    const last_ms = Number.isNaN(since_ms) ? time_ms : since_ms + most_ms;
-    late_ms = Math.max(late_ms, time_ms - last_ms);
-    return time_ms - late_ms;
-  };
-  window["holdFramesAfter"] = (ms) => {
-    most_ms = ms;
-  };
-}
-
-/** @param {Visitor} visitor */
-async function seeItThere(visitor) {
-  await visitor.page.evaluate(() => window["holdFramesAfter"](Number.POSITIVE_INFINITY));
-  await visitor.page.waitForSelector("#hint");
-  await visitor.page.waitForTimeout(1500);
-}
-
-/** @param {Visitor} visitor */
-async function dragNose(visitor) {
-  const nose = await findNose(visitor);
-  return hold(visitor, nose, { x: nose.x, y: nose.y - 26 });
-}
-
-/** Moves the pointer down the middle of the face until the nose tip is highlighted. @param {Visitor} visitor @returns {Promise<Place>} */
-async function findNose(visitor) {
-  const { page } = visitor;
-  const { x, y, width, height } = await page.locator("#viewport").boundingBox();
-  const tag = page.locator("#landmark-tag");
-  for (let share = 0.35; share < 0.75; share += 0.01) {
-    const place = { x: x + width / 2, y: y + share * height };
-    await page.mouse.move(place.x, place.y);
-    await visitor.frames(2);
-    if ((await tag.isVisible()) && (await tag.innerText()).startsWith("nose tip")) return place;
-  }
-  throw new Error("the nose tip is not highlighted");
+  await visitor.page.waitForTimeout(REST_MS);
 }
 
 /** @param {Visitor} visitor */
 async function turn(visitor) {
-  await visitor.page.mouse.up();
   const from = await visitor.emptyPoint();
   return hold(visitor, from, { x: from.x + 130, y: from.y + 10 });
 }
 
 /** @param {Visitor} visitor */
-async function slide(visitor) {
+async function dragNose(visitor) {
+  await visitor.page.mouse.up();
+  await visitor.page.click("#toolbar [data-action='reset-view']");
+  await visitor.page.waitForTimeout(REST_MS);
+  const nose = await visitor.landmarkPosition(1);
+  await visitor.selectBy("region");
+  return hold(visitor, nose, { x: nose.x, y: nose.y - 26 });
+}
+
+/** Moves the slider of the nose's width to a share of its track. @param {Visitor} visitor @param {number} share */
+async function slide(visitor, share) {
   const { page } = visitor;
   await page.mouse.up();
-  await page.click("#toolbar [data-action='reset-view']");
-  await visitor.unfold("section-face");
-  const slider = page.locator("#slider-jaw-width input[type=range]");
-  await slider.scrollIntoViewIfNeeded();
+  const slider = page.locator("#slider-nose-width input[type=range]");
   const { x, y, width, height } = await slider.boundingBox();
-  const to = await hold(visitor, { x: x + width / 2, y: y + height / 2 }, { x: x + width / 5, y: y + height / 2 });
-  await page.waitForTimeout(600);
+  const to = await hold(visitor, { x: x + width / 2, y: y + height / 2 }, { x: x + share * width, y: y + height / 2 });
+  await page.waitForTimeout(REST_MS);
   return to;
 }
 
 /** @param {Visitor} visitor */
 async function compareInPhoto(visitor) {
   await visitor.page.mouse.up();
-  await visitor.page.click("#photo-to-stage");
-  await visitor.page.waitForTimeout(1500);
+  await visitor.page.click("#photo-pane");
+  await visitor.page.waitForTimeout(REST_MS);
   await state("compare").enter(visitor);
   return middleOf(visitor.page.locator("#compare"));
 }
 
-/** @param {Visitor} visitor */
-async function download(visitor) {
+/** @param {Visitor} visitor @param {string} target */
+async function rest(visitor, target) {
   await state("compare").leave(visitor);
-  await state("downloaded").enter(visitor);
-  return middleOf(visitor.page.locator("[data-action='download-glb']:visible").first());
+  const at = await middleOf(visitor.page.locator(target));
+  await visitor.page.mouse.move(at.x, at.y);
+  return at;
+}
+
+/** @param {Visitor} visitor */
+async function openMenu(visitor) {
+  await visitor.page.mouse.up();
+  await visitor.page.click("#save-more");
+  return middleOf(visitor.page.locator("#save-popover [data-action='download-glb']"));
 }
 
 /** Drags without releasing the button. @param {Visitor} visitor @param {Place} from @param {Place} to */
