@@ -1,10 +1,7 @@
 import { PNG } from "pngjs";
 import { over } from "./boxes.mjs";
 
-/** Skin differs in its channels by at least this much, 0 to 255; the page's backgrounds and shadows do not. */
-const LEAST_COLOUR = 28;
-
-/** Minimum width of the chin, in CSS px; lines, letters and dots are narrower. */
+/** Minimum width of the chin, in CSS px. */
 const CHIN_PX = 16;
 
 /**
@@ -17,10 +14,11 @@ const CHIN_PX = 16;
 export async function chinFindings({ page }) {
   const stage = page.locator("#viewport");
   await page.evaluate(showOthers, "hidden");
-  const shot = PNG.sync.read(await stage.screenshot({ scale: "css" }));
+  // The photo behind the face is the same in both.
+  const [clay, coloured] = [await shotOf(page, "clay"), await shotOf(page, "picture")];
   await page.evaluate(showOthers, "");
   const { x, y, width, height } = await stage.boundingBox();
-  const rows = rowsOfSkin(shot);
+  const rows = rowsOfFace(clay, coloured);
   if (rows.length === 0) return ["no face is seen"];
   const { row, from, to } = rows.at(-1);
   const chin = { left: x + from, right: x + to, top: y + row - 4, bottom: y + row + 1 };
@@ -31,26 +29,22 @@ export async function chinFindings({ page }) {
   return found;
 }
 
-/** Longest run of skin in each row. @param {import("./pixels.mjs").Pixels} pixels */
-function rowsOfSkin({ width, height, data }) {
-  const rows = [];
-  for (let row = 0; row < height; row++) {
-    let longest = { row, from: 0, to: 0 };
-    let from = 0;
-    for (let x = 0; x <= width; x++) {
-      const at = 4 * (row * width + x);
-      if (x < width && isSkin(data.subarray(at, at + 3))) continue;
-      if (x - from > longest.to - longest.from) longest = { row, from, to: x };
-      from = x + 1;
-    }
-    if (longest.to - longest.from >= CHIN_PX) rows.push(longest);
-  }
-  return rows;
+/** The stage with the face in a shading. @param {import("@playwright/test").Page} page @param {string} shading */
+async function shotOf(page, shading) {
+  await page.locator(`input[name="shading"][value="${shading}"]`).evaluate((input) => input.click());
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+  return PNG.sync.read(await page.locator("#viewport").screenshot({ scale: "css" }));
 }
 
-/** @param {Uint8Array} colour */
-function isSkin(colour) {
-  return Math.max(...colour) - Math.min(...colour) >= LEAST_COLOUR;
+/** Part of each row where two pictures differ. @param {import("./pixels.mjs").Pixels} one @param {import("./pixels.mjs").Pixels} other */
+function rowsOfFace(one, other) {
+  const rows = [];
+  for (let row = 0; row < one.height; row++) {
+    const at = (x) => 4 * (row * one.width + x);
+    const columns = Array.from({ length: one.width }, (_, x) => x).filter((x) => [0, 1, 2].some((channel) => one.data[at(x) + channel] !== other.data[at(x) + channel]));
+    if (columns.length >= CHIN_PX) rows.push({ row, from: columns[0], to: columns.at(-1) + 1 });
+  }
+  return rows;
 }
 
 /** Runs in the page. @param {"" | "hidden"} visibility of everything but the 3D view */

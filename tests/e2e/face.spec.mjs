@@ -9,10 +9,10 @@ import { SAMPLE } from "./visitor.mjs";
 const WINGS = [64, 294];
 
 test("nose width moves both sides equally, is one entry, and equals the command line's result", async ({ editor, page }) => {
-  assert.equal(await page.locator("#face-sliders .slider").count(), 10);
+  assert.equal(await page.locator("#section-face [id^='slider-']").count(), 10);
   const before = await editor.meshJson("mm");
 
-  await editor.unfold("section-face");
+  await editor.unfold("slider-nose-width");
   const track = page.locator("#slider-nose-width input[type=range]");
   await track.scrollIntoViewIfNeeded();
   const { x, y, width, height } = await track.boundingBox();
@@ -46,7 +46,7 @@ test("a slider shows the sum of its entries, and a double click on its name rese
   await page.locator("#history .check input").last().check();
   assert.equal(await editor.sliderValue("lip-fullness"), 1.5);
   for (const slider of ["lip-fullness", "chin-length"]) {
-    await editor.unfold("section-face");
+    await editor.unfold(`slider-${slider}`);
     await page.dblclick(`#slider-${slider} .slider-label`);
     assert.equal(await editor.sliderValue(slider), 0);
   }
@@ -57,10 +57,10 @@ test("sliders work by keyboard and in Portuguese, and keep the selected landmark
   await editor.findLandmark("nose tip");
   await page.selectOption("#language", "pt");
   assert.equal(await page.innerText("#slider-jaw-width .slider-label"), "Largura da mandíbula");
-  await editor.unfold("section-face");
+  await editor.unfold("slider-jaw-width");
   await page.focus("#slider-jaw-width input[type=range]");
   for (let press = 0; press < 5; press++) await page.keyboard.press("ArrowRight");
-  await page.waitForSelector("#history .check");
+  await page.waitForSelector("#history .check", { state: "attached" });
   assert.deepEqual(await editor.history(), ["Largura da mandíbula"]);
   assert.match(await page.innerText("#announcement"), /Largura da mandíbula: 0,5 milímetros/);
   assert.equal(await editor.sliderValue("jaw-width"), 0.5);
@@ -71,7 +71,7 @@ test("sliders work by keyboard and in Portuguese, and keep the selected landmark
 
 test("symmetry is an action with a percentage, listed and undone like an edit", { tag: "@rare" }, async ({ editor, page }) => {
   const before = await editor.meshJson("mm");
-  await editor.unfold("section-face");
+  await editor.unfold("symmetrise");
   await page.fill("#symmetrise .number-field", "100");
   await page.click("[data-action='symmetrise.apply']");
   const after = await editor.meshJson("mm");

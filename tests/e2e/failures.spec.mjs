@@ -20,8 +20,7 @@ async function failToSave(visitor, action) {
   const { page } = visitor;
   const files = [];
   page.on("download", (download) => files.push(download.suggestedFilename()));
-  await visitor.unfold("section-export");
-  if (await page.locator(`#sections [data-action="${action}"]`).count()) await visitor.reveal(`[data-action="${action}"]`);
+  await visitor.showButton(action);
   await page.click(`#panel [data-action="${action}"]`);
   const notice = await visitor.notice();
   await visitor.frames(10);

@@ -62,6 +62,7 @@ for (const [[character, count], tag] of variants(/** @type {const} */ ([["ğŸ‘ğŸ
     await visitor.openFace(character.repeat(200));
     const stem = character.repeat(count);
     assert.equal(await nameOf(visitor, "save-project"), `${stem}.rosto`);
+    await visitor.reveal("#export-density");
     await page.selectOption("#export-density", "3");
     const names = [`${stem}-28881.3mf`, `${stem}-before-after.png`];
     for (const [index, action] of ["download-3mf", "download-pair"].entries()) {

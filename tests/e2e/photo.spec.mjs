@@ -51,6 +51,7 @@ test("the hovered landmark is marked on the panel's photo and on the mesh", asyn
   const dots = APART.map(([landmark, colour]) => ({ x: positions[landmark][0] * SIDE_PX, y: positions[landmark][1] * SIDE_PX, colour }));
   await visitor.drop(dotted(await readFile(SAMPLE), dots, 4), "dotted.png");
   await visitor.untilFace();
+  await visitor.selectBy("landmark");
   await visitor.unfold("section-photo");
   const photo = page.locator("#photo-picture");
   await photo.scrollIntoViewIfNeeded();

@@ -15,12 +15,12 @@ function sizeOf(stl) {
   return high.map((end, axis) => end - low[axis]);
 }
 
-test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm does not fit", async ({ editor, page }) => {
+test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm does not fit", { tag: "@eyes" }, async ({ editor, page }) => {
   const pixels = async () => (await editor.view()).data;
   const face = await pixels();
   await editor.reveal("#print-facts");
   await page.waitForSelector("#print-facts:not([data-stale]) dd");
-  await expect(page.locator("input[name='print.height'][value='80']")).toBeChecked();
+  await expect(page.locator("input[name='print-height'][value='80']")).toBeChecked();
   const [, height] = sizeOf(await editor.download("download-stl"));
   assert.ok(Math.abs(height - 80) < 2, `${height} mm high`);
   await expect(page.locator("#print-thin")).toHaveText(/^2 mm asked, thinnest [\d.]+ mm: /);
@@ -40,7 +40,7 @@ test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm d
 test("a relief needs no supports, and its depth and height are those chosen", async ({ editor, page }) => {
   await editor.reveal("#print-facts");
   await page.check("input[name='solid'][value='flat']", { force: true });
-  await page.check("input[name='print.height'][value='40']", { force: true });
+  await page.check("input[name='print-height'][value='40']", { force: true });
   await page.fill("#solid-flat-mm .number-field", "12");
   const [, height, depth] = sizeOf(await editor.download("download-stl"));
   assert.ok(Math.abs(height - 40) < 1 && Math.abs(depth - 12) < 0.01, `${height} × ${depth} mm`);

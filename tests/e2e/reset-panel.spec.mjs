@@ -20,13 +20,13 @@ for (const [[what, fileOf], tag] of variants(/** @type {const} */ ([
 
     await editor.selectRegion("left-brow");
     await editor.setOffset("y", 3);
-    await editor.unfold("section-face");
+    await editor.unfold("symmetrise");
     await page.fill("#symmetrise .number-field", "80");
     await editor.unfold("section-export");
     await page.click("[data-action='check-glb']");
     await page.waitForSelector("#verdict[data-tone='success']");
     // Typed, but not committed.
-    await editor.unfold("section-face");
+    await editor.unfold("slider-nose-width");
     await page.locator("#slider-nose-width .number-field").fill("7");
     await page.evaluate(() => (document.getElementById("sections").scrollTop = 400));
     assert.notDeepEqual(await controls(page), fresh);
@@ -38,6 +38,7 @@ for (const [[what, fileOf], tag] of variants(/** @type {const} */ ([
     assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
 
     // Unfinished input of the previous face is not committed later.
+    await editor.unfold("symmetrise");
     await page.locator("#symmetrise .number-field").focus();
     await page.clock.runFor(1000);
     assert.deepEqual(await editor.history(), []);
@@ -46,7 +47,7 @@ for (const [[what, fileOf], tag] of variants(/** @type {const} */ ([
 }
 
 test("a pending search is cleared when another face opens", { tag: "@rare" }, async ({ editor, page }) => {
-  await editor.unfold("section-landmark");
+  await editor.selectBy("landmark");
   await page.fill("#landmark-search", "no such place");
   await page.press("#landmark-search", "Enter");
   await expect(page.locator("#landmark-search-error")).toBeVisible();
@@ -62,7 +63,7 @@ test("a pending search is cleared when another face opens", { tag: "@rare" }, as
 test("choosing another face of a group keeps the tab", async ({ visitor, page }) => {
   await openGroup(visitor);
   await visitor.findLandmark("nose tip");
-  await visitor.unfold("section-face");
+  await visitor.unfold("symmetrise");
   await page.fill("#symmetrise .number-field", "80");
   await visitor.unfold("section-view");
   await chooseFace(visitor, 1);
@@ -82,7 +83,7 @@ function controls(page) {
       region: value("region"),
       search: value("landmark-search"),
       share: document.querySelector("#symmetrise .number-field").value,
-      numbers: [...document.querySelectorAll("#face-sliders input, #landmark-offset input")].map((input) => input.value),
+      numbers: [...document.querySelectorAll("#section-face [id^='slider-'] input, #landmark-offset input")].map((input) => input.value),
       verdict: document.getElementById("verdict").innerText,
       entries: document.querySelectorAll("#history .check").length,
     };

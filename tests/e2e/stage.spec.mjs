@@ -89,6 +89,7 @@ test("no shortcut works in a list, in a text, or while a word is composed", asyn
 test("an entry of the history keeps the focus when it is switched off and on", async ({ editor, page }) => {
   await editor.setSlider("nose-width", 3);
   await editor.setSlider("jaw-width", 2);
+  await editor.reveal("#history");
   const entry = page.locator("#history input").last();
   await entry.focus();
   const id = await entry.getAttribute("id");

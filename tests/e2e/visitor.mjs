@@ -406,13 +406,18 @@ export class Visitor {
 
   /** Bytes and name of the file that a button saves. @param {string} action */
   async save(action) {
-    if (await this.page.locator(`#save-popover [data-action="${action}"]`).count()) await this.openSaveMenu();
-    else await this.reveal(`[data-action="${action}"]`);
+    await this.showButton(action);
     const [download] = await Promise.all([
       this.page.waitForEvent("download"),
       this.page.click(`#panel [data-action="${action}"]`),
     ]);
     return { bytes: await readFile(await download.path()), name: download.suggestedFilename() };
+  }
+
+  /** Shows the button that saves a file, in the panel or in the menu. @param {string} action */
+  async showButton(action) {
+    if (await this.page.locator(`#save-popover [data-action="${action}"]`).count()) await this.openSaveMenu();
+    else await this.reveal(`[data-action="${action}"]`);
   }
 
   /** Opens the menu of everything that can be saved. */

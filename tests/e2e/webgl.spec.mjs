@@ -29,8 +29,7 @@ test("without a WebGPU adapter, the page works with WebGL2", { tag: "@webgl" }, 
   await visitor.setOffset("y", 9);
   const moved = await visitor.view();
   assert.ok(difference(held, moved) > 0.002, "the number did not change the picture");
-  const { x, y, width, height } = await page.locator("#viewport").boundingBox();
-  await visitor.drag({ x: x + width / 2, y: y + height / 2 }, { x: 0, y: -30 });
+  await visitor.drag(await visitor.selectionPosition(), { x: 0, y: -30 });
   assert.equal((await visitor.history()).length, 2, "the drag moved no landmark");
   assert.ok(difference(moved, await visitor.view()) > 0.002, "the drag did not change the picture");
 

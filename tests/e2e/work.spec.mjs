@@ -17,7 +17,7 @@ test("work survives a reload, is offered again, and can move to another browser 
   const second = await open();
   await second.drop(file, "face.rosto");
   await second.untilFace();
-  await second.page.waitForSelector("#history .check");
+  await second.page.waitForSelector("#history .check", { state: "attached" });
   assert.deepEqual(await second.meshJson("mm"), work);
 
   await second.drop(file.subarray(0, 2000), "half.rosto");

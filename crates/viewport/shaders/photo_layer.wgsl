@@ -24,5 +24,7 @@ fn vertex(@builtin(vertex_index) index: u32, @location(0) to_px: vec2f, @locatio
 
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4f {
-    return premultiplied(srgb_from_linear(textureSample(picture, picture_sampler, corner.uv).rgb), frame.picture);
+    // A picture from a saved file is transparent where the file does not store it.
+    let texel = textureSample(picture, picture_sampler, corner.uv);
+    return premultiplied(srgb_from_linear(texel.rgb), frame.picture * texel.a);
 }

@@ -48,12 +48,15 @@ export async function runCoreScenario(browser, url, pictures) {
   assert.ok(colourCount(found) > 40, "the face has no colours");
   const drawnBy = await renderer(driver);
 
+  const selectBy = (mode) => find(`label:has(input[name='selection'][value='${mode}'])`).click();
+  await selectBy("landmark");
   await type("#landmark-search", "nose tip", Key.ENTER);
   await type("#landmark-offset [data-axis='y'] .number-field", "9", Key.TAB);
   await untilEdits(1);
   assert.ok(difference(found, await picture("by-number")) > 0.001, "the number did not change the picture");
   const lifted = await mesh(browser);
 
+  await selectBy("region");
   const held = await picture("held");
   await drag(driver, "#viewport", { x: 40, y: -30 });
   await untilEdits(2);
@@ -63,7 +66,7 @@ export async function runCoreScenario(browser, url, pictures) {
   await find("#toolbar [data-action='undo']").click();
   await untilEdits(1);
   assert.deepEqual(await mesh(browser), lifted);
-  await checkGlb(await download(browser, "download-glb"));
+  await checkGlb(await download(browser, "#save-main"));
   await picture("downloaded");
 
   await driver.sleep(SAVE_MS);
@@ -125,14 +128,14 @@ async function renderer(driver) {
 
 /** @param {Browser} browser */
 async function mesh(browser) {
-  return JSON.parse((await download(browser, "download-json")).toString());
+  await browser.driver.findElement(By.id("tab-export")).click();
+  return JSON.parse((await download(browser, "#panel [data-action='download-json']")).toString());
 }
 
-/** @param {Browser} browser @param {string} action */
-async function download({ driver, downloads }, action) {
+/** @param {Browser} browser @param {string} button */
+async function download({ driver, downloads }, button) {
   for (const name of await readdir(downloads)) await rm(path.join(downloads, name));
-  await driver.findElement(By.id("tab-export")).click();
-  await driver.findElement(By.css(`#panel [data-action="${action}"]`)).click();
+  await driver.findElement(By.css(button)).click();
   let bytes = Buffer.alloc(0);
   await driver.wait(async () => {
     const [name, ...others] = await readdir(downloads);
@@ -140,7 +143,7 @@ async function download({ driver, downloads }, action) {
     const before = bytes;
     bytes = await readFile(path.join(downloads, name));
     return bytes.length > 0 && bytes.equals(before);
-  }, WAIT_MS, `${action} was not downloaded`);
+  }, WAIT_MS, `${button} downloaded nothing`);
   return bytes;
 }
 

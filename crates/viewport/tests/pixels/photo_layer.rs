@@ -103,6 +103,22 @@ async fn behind_the_mesh_the_picture_is_dimmed_evenly() {
 }
 
 #[wasm_bindgen_test]
+async fn the_picture_is_transparent_where_its_pixels_are() {
+    let mut screen = with_photo_layer().await;
+    let picture_on_gpu = screen.viewport.reserve_picture(PICTURE_PX, PICTURE_PX).unwrap();
+    screen.viewport.write_picture_rows(&picture_on_gpu, 0, &[0; 4 * (PICTURE_PX * PICTURE_PX) as usize]).unwrap();
+    screen.viewport.finish_picture(&picture_on_gpu);
+    screen.viewport.show_photo_layer(Some(&PhotoLayerInput {
+        size_px: DVec2::splat(f64::from(PICTURE_PX)),
+        from_px: &[],
+        triangles: &[],
+        picture: &picture_on_gpu,
+    }));
+    let seen = picture(&mut screen, plain()).await;
+    assert_eq!(seen.pixel(1, 1), [0; 4]);
+}
+
+#[wasm_bindgen_test]
 async fn the_solid_scene_hides_the_picture() {
     let mut screen = with_photo_layer().await;
     screen.stage.show(Scene::Solid);
