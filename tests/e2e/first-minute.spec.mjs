@@ -44,6 +44,22 @@ test("one second after a drag, nothing covers the face", async ({ editor, page }
   await expect.poll(opacity).toBe(1);
 });
 
+test("a pointer that rests on the face does not keep the page drawing", async ({ editor, page }) => {
+  const nose = await editor.landmarkPosition(1);
+  await page.evaluate(() => {
+    const { submit } = GPUQueue.prototype;
+    globalThis.submissions = 0;
+    GPUQueue.prototype.submit = function (...commands) {
+      globalThis.submissions += 1;
+      return submit.apply(this, commands);
+    };
+  });
+  await page.mouse.move(nose.x, nose.y);
+  await page.waitForTimeout(1500);
+  const count = await page.evaluate("submissions");
+  assert.ok(count > 0 && count < 8, `${count} frames`);
+});
+
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {
   test(`before a photo opens, only the wireframe covers the background: ${drawn}`, { tag: `@${needs}` }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });

@@ -23,7 +23,7 @@ test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm d
   await expect(page.locator("input[name='print-height'][value='80']")).toBeChecked();
   const [, height] = sizeOf(await editor.download("download-stl"));
   assert.ok(Math.abs(height - 80) < 2, `${height} mm high`);
-  await expect(page.locator("#print-thin")).toHaveText(/^2 mm asked, thinnest [\d.]+ mm: /);
+  await expect(page.locator("#print-thin")).toHaveText(/^2\.0 mm asked, thinnest [\d.]+ mm: /);
   assert.equal(await page.getAttribute("#print-thin", "data-tone"), "warning");
   await expect(page.locator("#print-supports")).toHaveText(/^Print it (lying on its back|upright)/);
 
@@ -33,7 +33,7 @@ test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm d
   await expect.poll(async () => (await pixels()).equals(body)).toBe(false);
 
   await page.click("#print > summary");
-  await page.click("#reset-view");
+  await page.click("#toolbar [data-action='reset-view']");
   await expect.poll(async () => (await pixels()).equals(face)).toBe(true);
 });
 

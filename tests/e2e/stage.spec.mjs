@@ -32,13 +32,13 @@ test("a click selects the point that is named under the pointer", async ({ edito
 });
 
 test("the middle button turns the face, without the browser's own action", async ({ editor, page }) => {
+  await editor.findLandmark("nose tip");
   await page.evaluate(() => {
     globalThis.left = [];
     for (const name of ["mousedown", "mouseup", "auxclick"]) {
       addEventListener(name, (event) => event.defaultPrevented || globalThis.left.push(name));
     }
   });
-  await editor.findLandmark("nose tip");
   const tip = await editor.selectionPosition();
   await page.mouse.move(tip.x, tip.y);
   await page.mouse.down({ button: "middle" });

@@ -183,11 +183,11 @@ export class Visitor {
   /** Chooses the part of the face that has an element; in small windows, also expressions and points. @param {string} selector */
   async #choosePart(selector) {
     const parts = await this.page.locator("#shape input").evaluateAll((inputs) => inputs.map(({ value }) => value));
-    const holders = { expressions: "#section-expressions", point: "#section-landmark" };
+    const holders = { face: ":is(#shape-face, #symmetry)", expressions: "#section-expressions", point: "#section-landmark" };
     for (const part of parts) {
       const holder = holders[part] ?? `#shape-${part}`;
       const isThere = await this.page.locator(`${holder}:is(${selector}, :has(${selector}))`).count();
-      if (isThere && !(await this.page.isVisible(holder))) await this.page.check(`#shape input[value="${part}"]`, { force: true });
+      if (isThere && !(await this.page.locator(holder).first().isVisible())) await this.page.check(`#shape input[value="${part}"]`, { force: true });
     }
   }
 

@@ -175,6 +175,10 @@ impl Studio {
     /// Uploads a change to the GPU.
     pub(crate) fn show(&mut self, changed: Changed) -> Result<()> {
         let changed = if self.drop_outdated_print() { Changed::Mesh } else { changed };
+        // A resting pointer hovers in each frame; its intent must not ask for another one.
+        if changed == Changed::Nothing {
+            return Ok(());
+        }
         if self.camera_stream.is_some() {
             return self.show_live_preview(changed);
         }

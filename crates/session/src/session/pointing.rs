@@ -19,6 +19,7 @@ impl Session {
     }
 
     pub(super) fn hover(&mut self, position_px: Option<DVec2>) -> Changed {
+        let before = (self.pointer_px, self.hovered);
         self.pointer_px = position_px;
         // The brush does not select.
         let position_px = position_px.filter(|_| self.brush_px.is_none());
@@ -27,7 +28,7 @@ impl Session {
         self.stage.set_pointer(position_px.filter(|_| shows_dots && hovered.vertex.is_some()));
         self.stage.set_gizmo_axis(hovered.axis);
         self.set_hovered(hovered);
-        Changed::View
+        if (self.pointer_px, self.hovered) == before { Changed::Nothing } else { Changed::View }
     }
 
     pub(super) fn point_at(&mut self, landmark: Option<u32>) -> Result {

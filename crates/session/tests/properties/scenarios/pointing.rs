@@ -34,6 +34,7 @@ fn a_drag_follows_the_pointer_and_is_one_entry() {
         let before = shape(&session);
         let from = position_px(&session, vertex);
         assert_eq!(act(&mut session, Intent::Hover(Some(from))), Changed::View);
+        assert_eq!(act(&mut session, Intent::Hover(Some(from))), Changed::Nothing, "the pointer rests");
         assert_eq!(session.hovered().vertex, Some(vertex));
         act(&mut session, Intent::Press(from, Pointer::Fine));
         assert!(session.has_grabbed() && !session.is_dragging());
