@@ -41,23 +41,30 @@ impl Drag {
         Self { limit_mm, ..self }
     }
 
-    /// Resists an offset in mm beyond the limit: it approaches 1.5 limits. An offset of earlier edits is not resisted. A
-    /// fine drag lifts the limit, and continues from where the resistance has held it.
+    /// Resists an offset in mm beyond the limit: it keeps its direction, and the distance from the start of all edits
+    /// approaches 1.5 limits. An offset of earlier edits is not resisted. A fine drag lifts the limit, and continues from
+    /// where the resistance has held it.
     pub fn resisted(&mut self, offset_mm: DVec3, pace: Pace) -> DVec3 {
         let Some(limit_mm) = self.limit_mm else { return offset_mm };
-        let (moved_mm, free_mm) = (self.committed_mm + offset_mm, limit_mm.max(self.committed_mm.length()));
-        let beyond_mm = moved_mm.length() - free_mm;
+        let free_mm = limit_mm.max(self.committed_mm.length());
+        let beyond_mm = (self.committed_mm + offset_mm).length() - free_mm;
         if beyond_mm <= 0.0 {
             return offset_mm;
         }
         let room_mm = 0.5 * limit_mm;
-        let reached_mm = free_mm + room_mm * (1.0 - (-beyond_mm / room_mm).exp());
-        let resisted_mm = moved_mm * (reached_mm / moved_mm.length()) - self.committed_mm;
+        let share = self.share_within(offset_mm, free_mm + room_mm * (1.0 - (-beyond_mm / room_mm).exp()));
         if pace == Pace::Fine {
             self.limit_mm = None;
-            self.moved_px *= resisted_mm.length() / offset_mm.length().max(f64::MIN_POSITIVE);
+            self.moved_px *= share;
         }
-        resisted_mm
+        offset_mm * share
+    }
+
+    /// Share of an offset at which it leaves the sphere around the start of all edits.
+    fn share_within(&self, offset_mm: DVec3, radius_mm: f64) -> f64 {
+        let along = self.committed_mm.dot(offset_mm);
+        let room = (radius_mm * radius_mm - self.committed_mm.length_squared()).max(0.0);
+        ((along * along + room * offset_mm.length_squared()).sqrt() - along) / offset_mm.length_squared()
     }
 
     /// Clamps an offset in mm to the sliders' range; the flag reports whether it was clamped. An offset that already
@@ -172,6 +179,9 @@ mod tests {
         assert_eq!(expert.resisted(DVec3::X * 50.0, Pace::Usual), DVec3::X * 50.0);
         let mut far = Drag::new(DVec3::ZERO, DVec3::X * 30.0, DVec2::ZERO).limited(Some(8.0));
         assert_eq!(far.resisted(DVec3::X * -10.0, Pace::Usual), DVec3::X * -10.0, "earlier edits stay");
+        let mut beside = Drag::new(DVec3::ZERO, DVec3::X * 6.0, DVec2::ZERO).limited(Some(8.0));
+        let up = beside.resisted(DVec3::Y * 20.0, Pace::Usual);
+        assert!(up.x == 0.0 && up.z == 0.0 && up.y > 5.0 && up.y < 11.0, "it keeps its direction: {up}");
     }
 
     #[test]
