@@ -68,10 +68,14 @@ pub fn catalogue() -> Value {
     json_of(rosto_studio_web::catalogue().unwrap())
 }
 
-/// A studio with the canonical face, as detected in a reddish photo.
+/// A studio at rest with the canonical face, as detected in a reddish photo, from the front. It selects landmarks.
 pub async fn studio() -> Studio {
     let mut studio = empty().await;
     open(&mut studio).await;
+    apply(&mut studio, json!({ "backdrop": false }));
+    apply(&mut studio, json!({ "selection": "landmark" }));
+    studio.draw(-5000.0).unwrap();
+    studio.draw(-1.0).unwrap();
     studio
 }
 

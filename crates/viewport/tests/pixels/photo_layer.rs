@@ -1,5 +1,5 @@
-use glam::{DVec2, DVec3};
-use rosto_stage::{PicturePlane, RenderSettings, Scene, Visibility};
+use glam::{DAffine3, DVec2, DVec3};
+use rosto_stage::{PicturePlane, Pinhole, RenderSettings, Scene, Visibility};
 use rosto_viewport::{PhotoLayerInput, PictureOnGpu};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -90,6 +90,8 @@ async fn behind_the_mesh_the_picture_is_dimmed_evenly() {
         triangles: &[[0, 1, 2], [0, 2, 3]],
         picture: &halves(&screen),
     }));
+    let camera_from_model = DAffine3::from_translation(DVec3::new(0.0, 0.0, -10.0));
+    screen.stage.camera_mut().set_pinhole(Some(Pinhole { camera_from_model }));
     screen.stage.set_picture(Some(plane(2.0)));
     screen.stage.show(Scene::Solid);
     screen.stage.set_backdrop(Visibility::Shown);
