@@ -54,8 +54,8 @@ const OPEN_FACE = { topology: "tessellation", density: 0, edits: [] };
 const MORPHS = { shape: FACE, baseColour: "photo", ...MORPH_TARGETS };
 /** For animation. */
 const AVATAR = { shape: { ...FACE, edits: EXPRESSED }, baseColour: "photo", ...EXPRESSIONS, eyesAndMouth: "pieces" };
-/** For printers. */
-const BODIES = ["thickness:2", "flat:60"].map((solid) => ({ shape: FACE, options: ["--solid", solid], body: "solid" }));
+/** For printers. The relief is as deep as the face. */
+const BODIES = ["thickness:2", "flat:150"].map((solid) => ({ shape: FACE, options: ["--solid", solid], body: "solid" }));
 
 /** Files for the readers. @type {Row[]} */
 export const ROWS = [

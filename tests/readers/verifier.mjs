@@ -44,6 +44,8 @@ const ROUNDED = /\bby up to ([\d.]+) mm/;
 const MAX_ROUNDED = 0.15;
 /** Half of the last digit of the command line's mm and cm³, plus a margin. */
 const HALF_DIGIT = 0.051;
+/** Greatest depth of a carved eye, m. */
+const CARVED_M = 0.006;
 /** Triangles of the canonical face that fill eyes and mouth. */
 const FILLINGS = 898 - 852;
 const BODY_CM3 = /([\d.]+) cm³/;
@@ -111,10 +113,10 @@ function pointsOf({ ending }, truth, { positions }) {
   return points.map((point) => point.map((value, axis) => value - tip[axis] + meant[axis]));
 }
 
-/** Number of the face's triangles that may be missing: replaced fillings of eyes and mouth, or smoothed creases. */
+/** Number of the face's triangles that may be missing: replaced fillings of eyes and mouth, carved eyes, or smoothed creases. */
 function mayBeLost({ shape, body, eyesAndMouth }, truth, printed) {
-  if (eyesAndMouth) return FILLINGS * 4 ** shape.density;
-  return body && ROUNDED.test(printed) ? MAX_ROUNDED * truth.triangles.size : 0;
+  const fillings = eyesAndMouth || body ? FILLINGS * 4 ** shape.density : 0;
+  return fillings + (body && ROUNDED.test(printed) ? MAX_ROUNDED * truth.triangles.size : 0);
 }
 
 /** Asserts a closed, outward body in one piece of genus 0, also according to the reader, with the command line's volume. */
@@ -132,12 +134,13 @@ function verifyBody({ ending }, points, { triangles, closed = true, volume: thei
   assert.ok(near(printed_cm3, 1e6 * enclosed_m3, HALF_DIGIT), `${printed_cm3} cm³ according to the command line, not ${1e6 * enclosed_m3}`);
 }
 
-/** Asserts that the body has a vertex within the reported distance of each vertex of the face. */
+/** Asserts that the body has a vertex within the reported distance of each vertex of the face, or behind it in carved eyes. */
 function verifyRounding(known, points, truth, printed) {
   const most_m = (Number(ROUNDED.exec(printed)?.[1] ?? 0) + HALF_DIGIT) / 1000;
   const kept = new Set(known);
   const lost = truth.places.list.filter((_, place) => !kept.has(place));
-  const far = lost.filter(([x, y, z]) => points.every((point) => Math.hypot(point[0] - x, point[1] - y, point[2] - z) > most_m));
+  const behind = ([x, y, z], point) => Math.hypot(point[0] - x, point[1] - y, Math.max(0, z - point[2] - CARVED_M, point[2] - z));
+  const far = lost.filter((place) => points.every((point) => behind(place, point) > most_m));
   assert.equal(far.length, 0, "vertices of the face that are further away than the command line reports");
 }
 
