@@ -72,7 +72,7 @@ async function measure(visitor) {
   await visitor.dropSample();
   await visitor.findLandmark("right mouth corner");
   await visitor.unfold("section-size");
-  await visitor.page.click("[data-action=tape-start]");
+  await visitor.page.click("[data-action='tape.start']");
   await visitor.findLandmark("left mouth corner");
   await visitor.unfold("section-size");
   await visitor.page.locator("#section-size").evaluate((section) => section.scrollIntoView());

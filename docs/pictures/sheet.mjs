@@ -22,8 +22,8 @@ export async function writeSheet(browser, file, cells, { columns, width }) {
   await page.setContent(`<!doctype html><style>
     body { display: grid; grid-template-columns: repeat(${columns}, auto); gap: 16px; width: max-content; margin: 0; padding: 16px;
       background: #f5f3ef; color: #26241f; font: 400 14px/20px system-ui, "Noto Sans", sans-serif; }
-    figure { display: grid; align-content: start; gap: 4px; width: ${width}px; margin: 0; }
-    div { position: relative; }
+    figure { display: grid; align-content: start; gap: 4px; max-width: ${width}px; margin: 0; }
+    div { position: relative; width: fit-content; }
     div > :first-child { display: block; max-width: 100%; max-height: ${width}px; border-radius: 4px; }
     .pointer { position: absolute; width: 15px; height: 18px; fill: #26241f; stroke: #fff; stroke-width: 1.5; }
   </style>${cells.map(figure).join("")}`);
