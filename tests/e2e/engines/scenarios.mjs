@@ -48,7 +48,10 @@ export async function runCoreScenario(browser, url, pictures) {
   assert.ok(colourCount(found) > 40, "the face has no colours");
   const drawnBy = await renderer(driver);
 
-  const selectBy = (mode) => find(`label:has(input[name='selection'][value='${mode}'])`).click();
+  const selectBy = async (mode) => {
+    await find("#tab-shape").click();
+    await find(`label:has(input[name='selection'][value='${mode}'])`).click();
+  };
   await selectBy("landmark");
   await type("#landmark-search", "nose tip", Key.ENTER);
   await type("#landmark-offset [data-axis='y'] .number-field", "9", Key.TAB);
