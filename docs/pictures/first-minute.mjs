@@ -1,4 +1,4 @@
-// The first minute on the page: with a mouse on a desktop, and with fingers on a phone.
+// The first minute on the page, on a desktop and on a phone.
 import path from "node:path";
 import { STATES, allowDelayedReplies } from "../../tests/e2e/states.mjs";
 import { Visitor } from "../../tests/e2e/visitor.mjs";

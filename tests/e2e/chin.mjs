@@ -11,11 +11,12 @@ const CHIN_PX = 16;
  * @param {import("./visitor.mjs").Visitor} visitor
  * @returns {Promise<string[]>}
  */
-export async function chinFindings({ page }) {
+export async function chinFindings(visitor) {
+  const { page } = visitor;
   const stage = page.locator("#viewport");
   await page.evaluate(showOthers, "hidden");
   // The photo behind the face is the same in both.
-  const [clay, coloured] = [await shotOf(page, "clay"), await shotOf(page, "picture")];
+  const [clay, coloured] = [await shotOf(visitor, "clay"), await shotOf(visitor, "picture")];
   await page.evaluate(showOthers, "");
   const { x, y, width, height } = await stage.boundingBox();
   const rows = rowsOfFace(clay, coloured);
@@ -29,10 +30,11 @@ export async function chinFindings({ page }) {
   return found;
 }
 
-/** The stage with the face in a shading. @param {import("@playwright/test").Page} page @param {string} shading */
-async function shotOf(page, shading) {
+/** The stage with the face in a shading. @param {import("./visitor.mjs").Visitor} visitor @param {string} shading */
+async function shotOf(visitor, shading) {
+  const { page } = visitor;
   await page.locator(`input[name="shading"][value="${shading}"]`).evaluate((input) => input.click());
-  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+  await visitor.frames(3);
   return PNG.sync.read(await page.locator("#viewport").screenshot({ scale: "css" }));
 }
 

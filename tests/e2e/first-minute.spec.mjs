@@ -35,7 +35,8 @@ test("one second after a drag, nothing covers the face", async ({ editor, page }
   const nose = await editor.landmarkPosition(1);
   const opacity = () => page.locator("#landmark-tag").evaluate((tag) => Number(getComputedStyle(tag).opacity));
   await editor.grab(nose, { x: 4, y: -12 });
-  await page.waitForTimeout(1300);
+  // More than a second, after which the name of a released point disappears.
+  await editor.frames(80);
   assert.equal(await opacity(), 1, "the name disappears during the drag");
   await page.mouse.up();
   assert.equal(await opacity(), 1);
@@ -55,7 +56,8 @@ test("a pointer that rests on the face does not keep the page drawing", async ({
     };
   });
   await page.mouse.move(nose.x, nose.y);
-  await page.waitForTimeout(1500);
+  // The marks are displayed for a second.
+  await editor.frames(60);
   const count = await page.evaluate("submissions");
   assert.ok(count > 0 && count < 8, `${count} frames`);
 });

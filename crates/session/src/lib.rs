@@ -47,6 +47,7 @@ pub use files::{Abilities, BodyError, BodyFacts, Outcome, Report};
 pub use gesture::Hovered;
 pub use live_preview::LivePreview;
 pub use look::Look;
+pub use message::value::Value;
 pub use message::{Applied, Catalogue, LightSettings, PhotoState, State, Tick};
 pub use open_face::{MAX_OFFSET_M, OpenFace, PhotoEdit, PhotoFacts};
 pub use panel::{
@@ -56,7 +57,7 @@ pub use range::Range;
 pub use rows::Row;
 pub use saved::MAX_SHOWN_DENSITY;
 pub use selection::{Selection, SelectionMode};
-pub use session::{BRUSH_PX, FALLOFF_BAND, Intent, Session, Value};
+pub use session::{BRUSH_PX, FALLOFF_BAND, Intent, Session};
 pub use shape_part::ShapePart;
 pub use strokes::Strokes;
 pub use texture::TextureSource;

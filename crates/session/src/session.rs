@@ -13,6 +13,7 @@ mod pointing;
 mod preferences;
 mod selecting;
 mod texturing;
+mod tools;
 mod transaction;
 
 use glam::DVec2;
@@ -27,7 +28,7 @@ use crate::panel_state::PanelState;
 use crate::seeds::Seeds;
 use crate::texture::TextureRequests;
 use crate::{Changed, EditOptions, SelectionMode, SessionError, View, marks};
-pub use intent::{Intent, Value};
+pub use intent::Intent;
 pub use photo::{BRUSH_PX, FALLOFF_BAND};
 
 /// A user's session: the open face, settings, selection, edit in progress and view.
@@ -152,11 +153,10 @@ impl Session {
     /// [`SessionError`] if the action is refused; the session is unchanged.
     pub fn apply(&mut self, intent: Intent) -> Result {
         let intent = self.resolved(intent)?;
-        let uses_tools = intent.uses_tools() || self.moves_pointer(&intent);
+        let uses_tools = self.uses_tools(&intent);
         let changed = self.apply_atomically(intent)?;
         if uses_tools {
-            let is_held = self.has_grabbed() || self.face().is_some_and(OpenFace::is_moving);
-            self.stage.use_tools(is_held);
+            self.use_tools();
         }
         if changed >= Changed::Document {
             self.check_pointer();

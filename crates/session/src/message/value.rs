@@ -10,6 +10,20 @@ use serde::{Deserialize, Deserializer, Serialize};
 use tsify::Tsify;
 
 use crate::Selection;
+
+/// A value that the user has entered.
+#[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
+#[serde(untagged)]
+pub enum Value {
+    /// State of a switch.
+    Flag(bool),
+    /// A number.
+    Number(f64),
+    /// Id of a choice.
+    Text(String),
+    /// An sRGB colour.
+    Colour([u8; 3]),
+}
 use crate::drag::Pace;
 use crate::saved::MAX_SHOWN_DENSITY;
 use crate::view::{Motion, Turntable};

@@ -11,7 +11,7 @@ use tsify::Tsify;
 
 use crate::drag::Pace;
 use crate::files::Report;
-use crate::message::value;
+use crate::message::value::{self, Value};
 use crate::{AnchorChoice, Look, Motion, Preset, Selection, SelectionMode, ShapePart, TextureSource, Turntable};
 
 /// A user action, and the message of the page for it. Positions are in device pixels from the top left of the canvas.
@@ -384,42 +384,4 @@ pub enum Intent {
         #[tsify(type = "boolean")]
         Visibility,
     ),
-}
-
-impl Intent {
-    /// Whether the user works at the selection, so that its marks are shown.
-    pub(crate) fn uses_tools(&self) -> bool {
-        matches!(
-            self,
-            Self::Press(..)
-                | Self::Drag(..)
-                | Self::Along(_)
-                | Self::Release
-                | Self::PointAt(_)
-                | Self::Mode(_)
-                | Self::Select(_)
-                | Self::SelectAt(_)
-                | Self::SelectUnder(_)
-                | Self::Pin(_)
-                | Self::PinUnder(_)
-                | Self::Radius(_)
-                | Self::Offset(_)
-                | Self::Commit
-                | Self::Cancel
-        )
-    }
-}
-
-/// A value that the user has entered.
-#[derive(Debug, Clone, PartialEq, Deserialize, Tsify)]
-#[serde(untagged)]
-pub enum Value {
-    /// State of a switch.
-    Flag(bool),
-    /// A number.
-    Number(f64),
-    /// Id of a choice.
-    Text(String),
-    /// An sRGB colour.
-    Colour([u8; 3]),
 }

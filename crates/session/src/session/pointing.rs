@@ -6,18 +6,13 @@ use super::{Result, Session};
 use crate::drag::{Drag, Pace};
 use crate::gesture::{self, Gesture, Hovered};
 use crate::open_face::{MM_PER_M, OpenFace};
-use crate::{Changed, Intent, Selection, SessionError};
+use crate::{Changed, Selection, SessionError};
 
 /// Sideways drags of a midline point below this length, in CSS px, stay in the mirror plane.
 const STICKS_PX: f64 = 10.0;
 
 /// Hovering and dragging.
 impl Session {
-    /// Whether an intent moves the pointer over the canvas, rather than the face under it.
-    pub(super) fn moves_pointer(&self, intent: &Intent) -> bool {
-        matches!(intent, Intent::Hover(position_px) if position_px.is_some() && *position_px != self.pointer_px)
-    }
-
     pub(super) fn hover(&mut self, position_px: Option<DVec2>) -> Changed {
         let before = (self.pointer_px, self.hovered);
         self.pointer_px = position_px;

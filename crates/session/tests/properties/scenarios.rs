@@ -2,6 +2,7 @@
 
 mod expressing;
 mod lenses;
+mod marks;
 mod photo;
 mod photos;
 mod pointing;

@@ -64,7 +64,7 @@ fn sign(determinant: f64, most: f64) -> i8 {
     }
 }
 
-/// Normal of a triangle, twice as long as its area.
+/// Normal of a triangle, as long as twice its area.
 fn across([a, b, c]: [DVec3; 3]) -> DVec3 {
     (b - a).cross(c - a)
 }
