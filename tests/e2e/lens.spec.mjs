@@ -53,7 +53,7 @@ for (const lens of ["parallel", "near"]) {
   });
 }
 
-test("with the photo's lens, the mesh matches the photo, and the lens is saved", async ({ editor, page }) => {
+test("with the photo's lens, the mesh matches the photo, and the lens is saved", { tag: "@rare" }, async ({ editor, page }) => {
   await chooseLens(editor, "as-taken");
   const { width, height } = PNG.sync.read(await readFile(SAMPLE));
   const { positions } = await editor.meshJson("image");

@@ -54,7 +54,7 @@ test("a GLB that cannot be opened leaves the face, its history and the saved wor
   await expectRefused(editor, bad, "face.glb");
 });
 
-test("saved work with a damaged file shows a notice, and the page stays usable", async ({ editor, page }) => {
+test("saved work with a damaged file shows a notice, and the page stays usable", { tag: "@rare" }, async ({ editor, page }) => {
   await editAndSave(editor, "save-project");
   await untilSaved(page);
   await page.reload();

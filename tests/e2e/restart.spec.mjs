@@ -74,7 +74,7 @@ test("a panic during export or opening restarts the module, and the next attempt
   assert.notDeepEqual(await editor.meshJson("mm"), work);
 });
 
-test("a face opened during a restart leaves the saved work unchanged", async ({ editor, page }) => {
+test("a face opened during a restart leaves the saved work unchanged", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.untilLoaded();
   const other = await editor.download("save-project");
   await workOn(editor);

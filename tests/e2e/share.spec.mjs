@@ -38,7 +38,7 @@ test("before and after are saved as halves of one picture, and the view does not
   assertSame(await readState(visitor), before);
 });
 
-test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: "@eyes" }, async ({ open }) => {
+test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const editor = await open({ scripts: [hookModule] });
   const { page } = editor;
   await editor.openFace();
@@ -180,7 +180,7 @@ test("a recording ends when another face opens, whose view is not turned", { tag
   assert.equal(difference(await editor.view(), opened), 0, "the recording turned the new face");
 });
 
-test("a recording ends when the GPU process crashes, and a new one works", { tag: "@eyes" }, async ({ open }) => {
+test("a recording ends when the GPU process crashes, and a new one works", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const visitor = await open({ scripts: [recordGpus] });
   const { page } = visitor;
   await visitor.openFace();

@@ -51,7 +51,7 @@ for (const [[what, remove], tag] of variants(/** @type {const} */ ([
   });
 }
 
-test("with a database of another version, a notice says that work is not saved, and editing continues", async ({ visitor, page }) => {
+test("with a database of another version, a notice says that work is not saved, and editing continues", { tag: "@rare" }, async ({ visitor, page }) => {
   await page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
   await visitor.dropSample();
   await expectNotSaved(visitor);
@@ -85,7 +85,7 @@ test("damaged works do not hide an older one", async ({ editor }) => {
   assert.equal((await next.notice()).code, "earlier-work");
 });
 
-test("if a file of the latest work cannot be read, the older work opens", async ({ open }) => {
+test("if a file of the latest work cannot be read, the older work opens", { tag: "@rare" }, async ({ open }) => {
   const { visitor, older } = await twoWorks(open);
   await visitor.page.evaluate(failRead);
   await visitor.resume();
@@ -125,7 +125,7 @@ for (const [[what, block], tag] of variants(/** @type {const} */ ([
   });
 }
 
-test("work blocked by another tab is not reported as damaged", async ({ open }) => {
+test("work blocked by another tab is not reported as damaged", { tag: "@rare" }, async ({ open }) => {
   const { visitor, latest } = await twoWorks(open);
   const { page } = visitor;
   const other = await visitor.openTab();
@@ -139,7 +139,7 @@ test("work blocked by another tab is not reported as damaged", async ({ open }) 
   assert.deepEqual(await visitor.work(), latest);
 });
 
-test("work is saved and reopened even if locks do not respond", async ({ open }) => {
+test("work is saved and reopened even if locks do not respond", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ hasClock: true, scripts: [muteLocks] });
   const { page } = visitor;
   await visitor.openFace();

@@ -52,7 +52,7 @@ test("two tabs save separate works, and each restores its own face and edits", a
   for (const { slot, edits } of both) assert.deepEqual(now.find((one) => one.slot === slot)?.edits, edits);
 });
 
-test("a face edited in another tab is restored in the first tab as left there", async ({ visitor: first, page }) => {
+test("a face edited in another tab is restored in the first tab as left there", { tag: "@rare" }, async ({ visitor: first, page }) => {
   await openGroup(first);
   await first.move("nose tip", "z", 9);
   await untilSaved(page);
@@ -85,7 +85,7 @@ test("a face edited in another tab is restored in the first tab as left there", 
   }
 });
 
-test("work open in another tab is reported, or the next work opens", async ({ editor: first, page }) => {
+test("work open in another tab is reported, or the next work opens", { tag: "@rare" }, async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
   await untilSaved(page);
   await page.reload();

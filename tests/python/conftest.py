@@ -27,16 +27,16 @@ def pixels(portrait: Path) -> np.ndarray:
 
 @pytest.fixture(scope="session")
 def album(pixels: np.ndarray, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """1000 JPEG files: rotated, cropped and brightened variants of the portrait, one without a face, and one that is not a picture."""
+    """300 JPEG files: rotated, cropped and brightened variants of the portrait, one without a face, and one that is not a picture."""
     random, folder = Random(0), tmp_path_factory.mktemp("album")
-    photos = [folder / f"{number:05}.jpg" for number in range(1000)]
+    photos = [folder / f"{number:05}.jpg" for number in range(300)]
     for photo in photos:
         x, y, half = random.uniform(200, 240), random.uniform(150, 190), random.uniform(150, 210)
         turned = Image.fromarray(pixels).rotate(random.uniform(-20, 20), Image.Resampling.BILINEAR, center=(x, y))
         cut = turned.crop((x - half, y - half, x + half, y + half)).resize((256, 256))
         ImageEnhance.Brightness(cut).enhance(random.uniform(0.7, 1.2)).save(photo, quality=90)
-    Image.new("RGB", (64, 64), "grey").save(photos[300])
-    photos[700].write_bytes(b"plain text")
+    Image.new("RGB", (64, 64), "grey").save(photos[100])
+    photos[200].write_bytes(b"plain text")
     return photos
 
 
