@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { inVersion } from "./server.mjs";
-import { test, variants } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 
 test("a page restored from the back/forward cache continues its work", { tag: "@way-back" }, async ({ editor, page }) => {
@@ -16,8 +16,8 @@ test("a page restored from the back/forward cache continues its work", { tag: "@
   assert.deepEqual(await editor.work(), work);
 });
 
-for (const [[how, stays], tag] of variants(/** @type {const} */ ([["is open in", true], ["was continued in", false]]))) {
-  test(`a page restored from the back/forward cache does not change work that ${how} another tab`, { tag: ["@way-back", tag].flat() }, async ({ editor, page }) => {
+for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["was continued in", false]])) {
+  test(`a page restored from the back/forward cache does not change work that ${how} another tab`, { tag: ["@way-back", "@rare"] }, async ({ editor, page }) => {
     await leave(editor);
     const other = await editor.openTab();
     await other.resume();

@@ -125,7 +125,7 @@ test("holding the button or B shows the original; a click shows before and after
   assert.ok(await page.isHidden("#wipe"), "the comparison stays open for another face");
 });
 
-test("a saved picture shows the face without marks", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a saved picture shows the face without marks", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   const plain = PNG.sync.read(await editor.download("download-picture"));
   await editor.findLandmark("nose tip");
   await editor.reveal("#edit-pin");

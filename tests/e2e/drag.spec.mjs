@@ -48,7 +48,7 @@ test("the nose can move sideways without mirroring, up to the slider's limit", a
   assert.ok(lifted[1] > 3 && Math.hypot(lifted[0], lifted[2]) < 1e-9, `rounding by a slider moved the nose: ${lifted}`);
 });
 
-test("an edit shows its limited influence: pulling the nose leaves lips and eyelids in place", { tag: "@eyes" }, async ({ editor, page }) => {
+test("an edit shows its limited influence: pulling the nose leaves lips and eyelids in place", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   assert.ok(await page.isChecked("#edit-nearby") && (await page.isChecked("input[name='preset'][value='sculpt']")));
   const start = await editor.meshJson("mm");

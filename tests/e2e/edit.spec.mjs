@@ -65,7 +65,7 @@ test("rotating details follow each tick and give the command line's mesh", { tag
   assert.throws(() => assertSameMesh(kept, turned), "details that keep their direction make the same mesh");
 });
 
-test("light, display and camera change the picture, and the view resets", { tag: "@eyes" }, async ({ editor }) => {
+test("light, display and camera change the picture, and the view resets", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
   await editor.unfold("light");
   await editor.page.check("#light-photo");
   const first = await editor.view();

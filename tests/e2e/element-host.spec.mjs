@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./element-visitor.mjs";
+import { variants } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self'";
@@ -65,8 +66,8 @@ test("the element reports files from another website", async ({ openElement }) =
 
 const SIZE = "width: 400px; height: 300px";
 
-for (const [how, style, parent = ""] of [["with display: none", "display: none"], ["without width", "width: 0"], ["in a hidden parent", SIZE, "hidden"]]) {
-  test(`an element ${how} starts when it is shown, as one shown at first does`, { tag: "@eyes" }, async ({ openElement }) => {
+for (const [[how, style, parent = ""], tag] of variants([["with display: none", "display: none"], ["without width", "width: 0"], ["in a hidden parent", SIZE, "hidden"]])) {
+  test(`an element ${how} starts when it is shown, as one shown at first does`, { tag: [...tag, "@eyes"] }, async ({ openElement }) => {
     const body = `<div ${parent}><rosto-studio controls src="portrait.png" style="${style}"></rosto-studio></div>`;
     const visitor = await openElement({ body });
     await visitor.visitor.frames(5);

@@ -37,7 +37,7 @@ test("one switch shows technical controls and point numbers, and is remembered",
   assert.deepEqual(await editor.history(), ["nose tip"]);
 });
 
-test("technical choices stay in effect when the switch is off", async ({ editor, page }) => {
+test("technical choices stay in effect when the switch is off", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.choosePreset("paper");
   await editor.reveal("#shading [value='response']");
   await page.check("#shading [value='response']", { force: true });

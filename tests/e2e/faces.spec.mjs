@@ -45,7 +45,7 @@ test("each face of a group keeps its edits and name when you switch between them
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
 
-test("after switching faces, a reload offers the last shown face with its work", async ({ visitor, page }) => {
+test("after switching faces, a reload offers the last shown face with its work", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
   await visitor.move("nose tip", "z", 9);
   for (const index of [1, 0, 1, 0]) await choose(visitor, index);

@@ -45,11 +45,11 @@ test("the open work stays when memory runs out while another file opens", async 
   await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
 });
 
-for (const { loss, lose, label, code, tag } of [
-  { loss: "the GPU", lose: loseGpu, code: "not-drawn", tag: [] },
-  { loss: "memory for the picture", lose: starve, label: "still", code: "no-memory", tag: [] },
-  { loss: "memory for the render target", lose: starve, label: "attachment", code: "no-memory", tag: ["@rare"] },
-]) {
+for (const [{ loss, lose, label, code }, tag] of variants([
+  { loss: "the GPU", lose: loseGpu, code: "not-drawn" },
+  { loss: "memory for the picture", lose: starve, label: "still", code: "no-memory" },
+  { loss: "memory for the render target", lose: starve, label: "attachment", code: "no-memory" },
+])) {
   test(`a picture that fails because ${loss} is lost is not saved, and the notice stays until dismissed`, { tag }, async ({ visitor, page }) => {
     const mesh = await work(visitor);
     const gpus = await page.evaluate("gpus.length");

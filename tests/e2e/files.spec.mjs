@@ -7,7 +7,7 @@ import { SAMPLE } from "./visitor.mjs";
 /** Maximum sizes of a photo, and of a GLB or project. */
 const [MAX_PHOTO_BYTES, MAX_SAVED_BYTES] = [40_000_000, 400_000_000];
 
-test("the first valid file of several is opened, and a notice says so", async ({ visitor, page }) => {
+test("the first valid file of several is opened, and a notice says so", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilInteractive();
   const portrait = await readFile(SAMPLE);
   const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };

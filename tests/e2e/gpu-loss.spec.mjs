@@ -25,7 +25,7 @@ for (const [{ drawn, needs }, tag] of variants([
   });
 }
 
-test("while the WebGL2 context is lost a notice appears and edits continue; they show when it is restored", { tag: "@webgl" }, async ({ editor, page }) => {
+test("while the WebGL2 context is lost a notice appears and edits continue; they show when it is restored", { tag: ["@webgl", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const found = await editor.view();
   const canvas = page.locator("#viewport");

@@ -40,7 +40,7 @@ async function sidesIn(page) {
   return rows.map((row) => /front|left|right/.exec(row)?.[0]);
 }
 
-test("photos from other sides change the mesh like on the command line, are saved, and can be removed", async ({ visitor, page }) => {
+test("photos from other sides change the mesh like on the command line, are saved, and can be removed", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const alone = await visitor.meshJson("mm");
   const [one, other] = [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")];

@@ -1,13 +1,13 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
-import { test } from "./fixtures.mjs";
+import { test, variants } from "./fixtures.mjs";
 
 /** Typed texts, and the numbers that they are; in mm. */
 const VALID = [["1,5", 1.5], ["1.5", 1.5], ["−2", -2], ["-2", -2], [" 3 mm", 3], ["- ,5mm", -0.5]];
 const INVALID = ["abc", "1e9", "", "1.000,5", "0x3", "4 cm", "99"];
 
-for (const language of ["en", "pt"]) {
-  test(`a number may have a comma, a point, spaces and its unit; other texts are marked and change nothing: ${language}`, async ({ editor, page }) => {
+for (const [language, tag] of variants(["en", "pt"])) {
+  test(`a number may have a comma, a point, spaces and its unit; other texts are marked and change nothing: ${language}`, { tag }, async ({ editor, page }) => {
     await editor.setLanguage(language);
     await editor.findLandmark("1");
     const field = page.locator("#landmark-offset [data-axis='x'] .number-field");

@@ -12,7 +12,7 @@ const FOREHEAD = 151;
 /** Right and left corner of the mouth. */
 const MOUTH_CORNERS = [61, 291];
 
-test("hovering a landmark highlights and names it, and leaving it clears both", { tag: "@eyes" }, async ({ editor, page }) => {
+test("hovering a landmark highlights and names it, and leaving it clears both", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagPosition();
   const beside = await editor.emptyPoint();

@@ -91,12 +91,12 @@ test("a GLB that cannot be shared is saved; cancelling is silent", async ({ open
   assert.ok(await page.isHidden("#notice"));
 });
 
-for (const [what, script] of Object.entries({
+for (const [[what, script], tag] of variants(Object.entries({
   "has no share()": "delete Navigator.prototype.share; navigator.canShare = () => true",
   "has no canShare()": "delete Navigator.prototype.canShare; navigator.share = async () => {}",
   "throws in canShare()": "navigator.share = async () => {}; navigator.canShare = () => { throw new TypeError('refused') }",
-})) {
-  test(`the share buttons are absent in a browser that ${what}`, async ({ open }) => {
+}))) {
+  test(`the share buttons are absent in a browser that ${what}`, { tag }, async ({ open }) => {
     const visitor = await open({ scripts: [script] });
     await visitor.openFace();
     await visitor.unfold("section-export");
@@ -106,7 +106,7 @@ for (const [what, script] of Object.entries({
   });
 }
 
-test("the face swings once in a four-second video without tools, and the view is restored", { tag: "@eyes" }, async ({ visitor, page }) => {
+test("the face swings once in a four-second video without tools, and the view is restored", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
   await visitor.openFace("ana");
   await visitor.move("nose tip", "z", 8);
   const before = await readState(visitor);
@@ -139,11 +139,11 @@ test("the face swings once in a four-second video without tools, and the view is
   assert.equal(accents(first), 0, "a tool is visible in the video");
 });
 
-for (const [{ by, stop }, tag] of variants([
+for (const { by, stop } of [
   { by: "Escape", stop: (/** @type {import("@playwright/test").Page} */ page) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("@playwright/test").Page} */ page) => page.click("#clip") },
-])) {
-  test(`a recording cancelled by ${by} leaves no file and no change`, { tag: [...tag, "@eyes"] }, async ({ editor, page }) => {
+]) {
+  test(`a recording cancelled by ${by} leaves no file and no change`, { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
     await editor.findLandmark("nose tip");
     await page.focus("#viewport");
     await page.keyboard.press("ArrowRight");

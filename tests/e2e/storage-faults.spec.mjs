@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
 import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 
@@ -31,12 +31,12 @@ test("if the quota is exceeded on commit, a notice says once that work is not sa
   assert.deepEqual(await visitor.work(), next);
 });
 
-for (const [[what, remove], tag] of variants(/** @type {const} */ ([
+for (const [what, remove] of /** @type {const} */ ([
   ["is deleted", (page) => page.evaluate(() => new Promise((resolve) => (indexedDB.deleteDatabase("rosto").onsuccess = () => resolve())))],
   ["loses the face", (page) => changeStorage(page, ({ faces }) => faces.clear())],
   ["loses the edits", (page) => changeStorage(page, ({ done }) => done.clear())],
-]))) {
-  test(`the next change saves everything again if the database ${what} while the page is open`, { tag }, async ({ editor, page }) => {
+])) {
+  test(`the next change saves everything again if the database ${what} while the page is open`, { tag: "@rare" }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
     await untilSaved(editor.page);
     const other = await editor.openTab();
@@ -92,11 +92,11 @@ test("if a file of the latest work cannot be read, the older work opens", { tag:
   assert.deepEqual(await visitor.work(), older);
 });
 
-for (const [[what, block], tag] of variants(/** @type {const} */ ([
+for (const [what, block] of /** @type {const} */ ([
   ["blocks the database", blockDatabase],
   ["has an endless transaction", blockStores],
-]))) {
-  test(`while another tab ${what}, a notice says once that work is not saved, and later all of it is`, { tag }, async ({ open }) => {
+])) {
+  test(`while another tab ${what}, a notice says once that work is not saved, and later all of it is`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await visitor.openFace();

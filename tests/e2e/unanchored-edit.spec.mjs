@@ -3,7 +3,7 @@ import { test } from "./fixtures.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("an edit without anchors, followed by other densities, does not break the page", async ({ editor, page }) => {
+test("an edit without anchors, followed by other densities, does not break the page", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   await editor.unfold("section-advanced");
   await page.selectOption("#anchors", "pins");

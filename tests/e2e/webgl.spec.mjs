@@ -61,7 +61,7 @@ test("with WebGPU, the WebGL2 module is not downloaded", async ({ open }) => {
   assert.ok(await isStored(visitor.page, FOR_WEBGPU) && !(await isStored(visitor.page, FOR_WEBGL2)));
 });
 
-test("after the first visit, the page works offline with WebGL2", { tag: "@webgl" }, async ({ open }) => {
+test("after the first visit, the page works offline with WebGL2", { tag: ["@webgl", "@rare"] }, async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   const { page } = visitor;
   await visitor.untilLoaded();
