@@ -249,6 +249,6 @@ test("a dense print is made without blocking the page, and can be cancelled", as
   assert.equal(name, "portrait.stl");
   assert.ok(await page.isHidden("#export-making"));
   const longest_ms = await page.evaluate(() => globalThis.longest_ms);
-  // A share, because a busy machine slows both.
+  // Relative, because a busy machine slows down both.
   assert.ok(longest_ms < took_ms / 4, `the page was blocked for ${longest_ms} of ${took_ms} ms`);
 });
