@@ -68,7 +68,7 @@ impl Head {
             principal_px: DVec2::splat(f64::from(SIZE_PX) / 2.0),
             px_per_m: focal_px / DISTANCE_M,
             distance_m: DISTANCE_M,
-            distance_error: 0.0,
+            distance_interval_m: [DISTANCE_M; 2],
             camera_from_model: DAffine3::from_rotation_translation(rotation, translation),
         }
     }

@@ -138,15 +138,16 @@ fn check_sidecars(template: &Template<'_>) -> Result<(), CliError> {
     }
 }
 
-/// Distance of the photo's camera and its source.
+/// Distance of the photo's camera, its 90 % interval and its source.
 fn distance_note(face: &FaceModel) -> String {
     let camera = face.camera();
-    let [distance_cm, error_cm] = [1.0, camera.distance_error].map(|share| share * camera.distance_m * 100.0);
+    let distance_cm = camera.distance_m * 100.0;
     let known = match camera.lens {
         PhotoLens::Estimated => "estimated from the face",
         PhotoLens::Exif(_) => "from the photo's lens data",
         PhotoLens::Given(_) => "from the focal length given",
         PhotoLens::Distance(_) | PhotoLens::Parallel => return format!("taken from {distance_cm:.0} cm, as given"),
     };
-    format!("taken from {distance_cm:.0} cm ± {error_cm:.0}, {known}")
+    let [nearest_cm, farthest_cm] = camera.distance_interval_m.map(|end_m| end_m * 100.0);
+    format!("taken from {distance_cm:.0} cm ({nearest_cm:.0} to {farthest_cm:.0}), {known}")
 }

@@ -36,7 +36,7 @@ pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
     });
     if camera.distance_m.is_finite() {
         about["distance_m"] = json!(rounded(camera.distance_m, 4));
-        about["distance_error"] = json!(rounded(camera.distance_error, 4));
+        about["distance_interval_m"] = json!(camera.distance_interval_m.map(|end_m| rounded(end_m, 4)));
         about["focal_px"] = json!(rounded(camera.focal_px, 2));
     }
     if !face.irises_m().is_empty() {

@@ -10,16 +10,15 @@ mod projection;
 
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
-pub(crate) use depth::{CanonicalShape, turn_rad};
-pub(crate) use distance::{Evidence, evidence};
+pub(crate) use depth::CanonicalShape;
+pub(crate) use distance::{Distance, estimated, interval_m, log_interval, turn_rad};
 
 use crate::PhotoLens;
 
 /// Intrinsics and pose of the camera that took a photo of a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// Lens data that the camera was derived from; [`PhotoLens::Estimated`] if the photo's own contradict the
-    /// landmarks.
+    /// Lens data that the camera was derived from; [`PhotoLens::Estimated`] if the photo's own are implausible.
     pub lens: PhotoLens,
     /// Focal length in px of the photo; infinite for [`PhotoLens::Parallel`].
     pub focal_px: f64,
@@ -29,9 +28,8 @@ pub struct Camera {
     pub px_per_m: f64,
     /// Distance from the camera to the face's centre, in metres; infinite for [`PhotoLens::Parallel`].
     pub distance_m: f64,
-    /// Relative standard deviation of the distance, from the landmarks if it was estimated and from the size of the
-    /// face.
-    pub distance_error: f64,
+    /// 90 % interval of the distance, in metres: from the landmarks if it was estimated, and from the size of the face.
+    pub distance_interval_m: [f64; 2],
     /// Rigid transform from the model's frame to the camera's: metres, +X right, +Y up, looking along −Z. For
     /// [`PhotoLens::Parallel`] the camera is placed very far away.
     pub camera_from_model: DAffine3,
@@ -62,7 +60,7 @@ impl Camera {
             principal_px,
             px_per_m,
             distance_m: f64::INFINITY,
-            distance_error: 0.0,
+            distance_interval_m: [f64::INFINITY; 2],
             camera_from_model: DAffine3::from_mat3_translation(rotation, offset_m - DVec3::Z * PARALLEL_M),
         }
     }

@@ -2,6 +2,7 @@ mod fitting;
 mod joint_fit;
 mod observed;
 mod pose_fit;
+mod turned;
 mod views;
 
 use glam::{DMat3, DVec2, DVec3};

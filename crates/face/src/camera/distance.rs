@@ -1,67 +1,54 @@
 //! Estimation of the camera's distance from perspective: the nearer the camera, the larger the nose appears relative to
 //! the ears.
 
+use std::f64::consts::FRAC_PI_6;
+
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use nalgebra::{SMatrix, SVector};
 
-use crate::camera::depth::turn_rad;
 use crate::procrustes::{Pair, fit};
 use crate::{FaceError, canonical_positions_m};
 
-/// Estimate of the distance from the landmarks and a prior, for a face of canonical size.
-#[derive(Debug, Clone)]
-pub(crate) struct Evidence {
-    /// Distance in m: the exponential of the posterior mean of its logarithm.
+/// Distance with its uncertainty.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Distance {
     pub(crate) distance_m: f64,
-    /// Relative standard deviation.
-    pub(crate) error: f64,
-    /// Log-likelihoods at [`DISTANCES_M`] from the landmarks alone, relative to the maximum.
-    log_likelihoods: [f64; DISTANCES_M.len()],
+    /// Natural logarithms of the ends of the 90 % interval, relative to `distance_m`.
+    pub(crate) log_interval: [f64; 2],
 }
 
 /// Distances at which the canonical face is fitted to the landmarks, in m.
-const DISTANCES_M: [f64; 15] = [0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.85, 1.0, 1.3, 1.7, 2.5, 4.0];
+const DISTANCES_M: [f64; 16] = [0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.85, 1.0, 1.3, 1.7, 2.5, 4.0, 8.0];
 
 /// Transition of the robust cost, in m: quadratic below, linear above, since real faces differ from the canonical one.
 const SOFT_M: f64 = 0.001;
 
-/// Effective number of independent measurements for a frontal face. It is below 468 because deviations of the landmarks
-/// are correlated: a larger nose moves many of them.
-const MEASUREMENTS: f64 = 300.0;
-/// Turn angles, in radians, between which that number falls to zero. The network fills in hidden parts from an average
-/// face, which biases the estimate towards near distances.
-const TURNS_RAD: [f64; 2] = [0.21, 0.56];
-
-/// Prior on the distance: median in m, and standard deviation of its logarithm.
-const USUAL_M: f64 = 0.45;
-const USUAL_DEVIATION: f64 = 0.6;
-
-/// The network biases faces towards its training data: it under-represents the perspective difference from
-/// [`BIAS_CENTRE_M`] by these shares, for nearer and for farther faces.
+/// The inverse distance at which the canonical face fits best, given the true inverse distance y, is
+/// `OFFSET_PER_M + TURNED_PER_M (turn / 30°)² + SHARE y`, with a standard deviation of [`DEVIATION_PER_M`]: the network
+/// draws faces towards an average view, and a face with a longer nose looks nearer.
 ///
-/// Measured with known cameras and heads of known shape.
-const BIAS_SHARES: [f64; 2] = [0.32, 0.2];
-const BIAS_CENTRE_M: f64 = 0.6;
+/// Measured on sixteen heads of known shape, between which the offset ranges from 0.4 to 2.
+const SHARE: f64 = 0.65;
+const OFFSET_PER_M: f64 = 1.0;
+const TURNED_PER_M: f64 = 0.35;
+const DEVIATION_PER_M: f64 = 0.5;
 
-/// Apparent distance in the network's landmarks for a camera at `distance_m`.
-fn apparent_m(distance_m: f64) -> f64 {
-    let usual_per_m = 1.0 / BIAS_CENTRE_M;
-    let bias_share = BIAS_SHARES[usize::from(distance_m > BIAS_CENTRE_M)];
-    1.0 / (usual_per_m + (1.0 - bias_share) * (1.0 / distance_m - usual_per_m))
-}
+/// Largest inverse distance at which a face is believed to fit best.
+const MAX_PER_M: f64 = 6.0;
 
-impl Evidence {
-    /// Log-likelihood of a distance relative to the most likely one, from the landmarks alone.
-    pub(crate) fn log_likelihood(&self, distance_m: f64) -> f64 {
-        interpolated(&self.log_likelihoods, distance_m)
-    }
-}
+/// Prior on the distance, a mixture of two log-normal distributions: weight, median in m, standard deviation of the
+/// logarithm. Most selfies are taken from 25 to 60 cm, most portraits from 1 to 3 m (Ward and others 2018).
+const PRIOR: [[f64; 3]; 2] = [[0.65, 0.42, 0.3], [0.35, 1.7, 0.4]];
 
-/// Estimates the distance from 468 landmarks in px, y up, whose depths give an initial pose.
+/// Half of a normal distribution's 90 % interval, in standard deviations.
+const DEVIATIONS: f64 = 1.645;
+
+/// Estimates the distance of a face of canonical size from 468 landmarks in px, y up, whose depths give an initial
+/// pose: the exponential of the posterior mean of its logarithm.
 ///
 /// # Errors
 /// [`FaceError::Degenerate`] if they are collinear.
-pub(crate) fn evidence(px: &[DVec3], principal_px: DVec2) -> Result<Evidence, FaceError> {
+pub(crate) fn estimated(px: &[DVec3], principal_px: DVec2) -> Result<Distance, FaceError> {
     let canonical = centred(canonical_positions_m());
     let pairs: Vec<Pair> =
         canonical.iter().zip(px).map(|(&source, &target)| Pair { source, target, weight: 1.0 }).collect();
@@ -74,47 +61,78 @@ pub(crate) fn evidence(px: &[DVec3], principal_px: DVec2) -> Result<Evidence, Fa
     let mut turns = [0.0; DISTANCES_M.len()];
     // From far to near, each fit starts at the previous result.
     for index in (0..DISTANCES_M.len()).rev() {
-        costs[index] = view.fit(&canonical, &seen_px, apparent_m(DISTANCES_M[index]), start.scale);
+        costs[index] = view.fit(&canonical, &seen_px, DISTANCES_M[index], start.scale);
         turns[index] = turn_rad(view.rotation);
     }
     let best = (0..costs.len()).min_by(|&a, &b| costs[a].total_cmp(&costs[b])).ok_or(FaceError::Degenerate)?;
-    let frontal = 1.0 - ((turns[best] - TURNS_RAD[0]) / (TURNS_RAD[1] - TURNS_RAD[0])).clamp(0.0, 1.0);
-    let worth = MEASUREMENTS * frontal * frontal;
-    let log_likelihoods = costs.map(|cost| -0.5 * worth * (cost / costs[best]).ln());
-    if !log_likelihoods.iter().all(|value| value.is_finite()) {
+    if !costs.iter().all(|cost| cost.is_finite()) {
         return Err(FaceError::Degenerate);
     }
-    let (distance_m, error) = posterior(&log_likelihoods);
-    Ok(Evidence { distance_m, error, log_likelihoods })
+    Ok(posterior(least(&costs, best), turns[best]))
 }
 
-/// Posterior mean and standard deviation of the log-distance; the mean is returned as a distance.
-fn posterior(log_likelihoods: &[f64; DISTANCES_M.len()]) -> (f64, f64) {
+/// Inverse distance of the least cost, by a parabola through the costs around `best`.
+fn least(costs: &[f64; DISTANCES_M.len()], best: usize) -> f64 {
+    let middle = best.clamp(1, costs.len() - 2);
+    let [x, y] = [0, 1].map(|axis| {
+        [middle - 1, middle, middle + 1].map(|index| if axis == 0 { 1.0 / DISTANCES_M[index] } else { costs[index] })
+    });
+    let slopes = [0, 1].map(|at| (y[at + 1] - y[at]) / (x[at + 1] - x[at]));
+    let bend = (slopes[1] - slopes[0]) / (x[2] - x[0]);
+    if bend <= 0.0 {
+        return 1.0 / DISTANCES_M[best];
+    }
+    ((x[0] + x[1] - slopes[0] / bend) / 2.0).clamp(0.0, MAX_PER_M)
+}
+
+/// Posterior of the distance, for the inverse distance at which the canonical face fits best.
+fn posterior(apparent_per_m: f64, turn_rad: f64) -> Distance {
     const STEPS: usize = 240;
     let [from, to] = [DISTANCES_M[0].ln(), DISTANCES_M[DISTANCES_M.len() - 1].ln()];
-    let logs = || (0..=STEPS).map(move |step| from + (to - from) * step as f64 / STEPS as f64);
-    let weight = |log: f64| {
-        let unusual = (log - USUAL_M.ln()) / USUAL_DEVIATION;
-        (interpolated(log_likelihoods, log.exp()) - 0.5 * unusual * unusual).exp()
+    let turn = turn_rad / FRAC_PI_6;
+    let offset_per_m = OFFSET_PER_M + TURNED_PER_M * turn * turn;
+    let normal = |deviations: f64| (-0.5 * deviations * deviations).exp();
+    let weights: Vec<(f64, f64)> = (0..=STEPS)
+        .map(|step| {
+            let log = from + (to - from) * step as f64 / STEPS as f64;
+            let expected_per_m = offset_per_m + SHARE * (-log).exp();
+            let likelihood = normal((apparent_per_m - expected_per_m) / DEVIATION_PER_M);
+            let prior =
+                PRIOR.map(|[weight, median_m, spread]| weight / spread * normal((log - median_m.ln()) / spread));
+            (log, likelihood * (prior[0] + prior[1]))
+        })
+        .collect();
+    let total: f64 = weights.iter().map(|(_, weight)| weight).sum();
+    let mean = weights.iter().map(|(log, weight)| weight * log).sum::<f64>() / total;
+    let quantile = |share: f64| {
+        let mut below = 0.0;
+        let reached = weights.iter().find(|(_, weight)| {
+            below += weight / total;
+            below >= share
+        });
+        reached.map_or(to, |(log, _)| *log) - mean
     };
-    let total: f64 = logs().map(weight).sum();
-    let mean = logs().map(|log| weight(log) * log).sum::<f64>() / total;
-    let variance = logs().map(|log| weight(log) * (log - mean) * (log - mean)).sum::<f64>() / total;
-    (mean.exp(), variance.sqrt())
+    Distance { distance_m: mean.exp(), log_interval: [quantile(0.05), quantile(0.95)] }
 }
 
-/// Interpolates linearly in the log-distance.
-fn interpolated(values: &[f64; DISTANCES_M.len()], distance_m: f64) -> f64 {
-    let distance_m = distance_m.clamp(DISTANCES_M[0], DISTANCES_M[DISTANCES_M.len() - 1]);
-    let above = DISTANCES_M.iter().position(|&at| at >= distance_m).unwrap_or(DISTANCES_M.len() - 1).max(1);
-    let [low, high] = [above - 1, above].map(|index| DISTANCES_M[index].ln());
-    let share = (distance_m.ln() - low) / (high - low);
-    values[above - 1] * (1.0 - share) + values[above] * share
+/// 90 % interval around a distance in m, with a further relative standard deviation.
+pub(crate) fn interval_m(distance_m: f64, log_interval: [f64; 2], deviation: f64) -> [f64; 2] {
+    log_interval.map(|end| distance_m * end.hypot(DEVIATIONS * deviation).copysign(end).exp())
+}
+
+/// Natural logarithms of the ends of a 90 % interval, for a relative standard deviation.
+pub(crate) fn log_interval(deviation: f64) -> [f64; 2] {
+    [-DEVIATIONS * deviation, DEVIATIONS * deviation]
 }
 
 fn centred(positions: Vec<DVec3>) -> Vec<DVec3> {
     let mean = positions.iter().sum::<DVec3>() / positions.len() as f64;
     positions.into_iter().map(|position| position - mean).collect()
+}
+
+/// Angle between the face's axis and the direction to the camera, in radians.
+pub(crate) fn turn_rad(camera_from_model: DMat3) -> f64 {
+    (camera_from_model * DVec3::Z).normalize().z.clamp(-1.0, 1.0).acos()
 }
 
 /// Similarity pose of the canonical face, as seen by a camera at a given distance.

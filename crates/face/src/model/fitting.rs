@@ -3,7 +3,8 @@
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::observed::{fit_canonical_to, in_px, px_from_image};
-use crate::camera::{self, Camera, CanonicalShape, Evidence, PARALLEL_M};
+use super::turned;
+use crate::camera::{self, Camera, CanonicalShape, Distance, PARALLEL_M};
 use crate::irises::{MIDDLE_OF_LIDS, POINTS_OF_AN_IRIS};
 use crate::photo_lens::DISTANCES_M;
 use crate::procrustes::Similarity;
@@ -20,13 +21,14 @@ pub(super) struct Fitted {
     pub(super) image_from_model: DMat3,
     /// Size of the face relative to the canonical face.
     factor: f64,
-    /// Relative error of the distance, without that of the size.
-    error: f64,
+    /// 90 % interval of the distance's logarithm, without the error of the size.
+    log_interval: [f64; 2],
 }
 
-/// The photo's lens data are rejected if they make the landmarks less likely than e^−this, relative to the best
-/// distance.
-const MAX_CONTRADICTION: f64 = 20.0;
+/// Lens data of the photo are rejected if they put the face nearer than this, in m: the picture is part of a larger one.
+const NEAREST_M: f64 = 0.2;
+/// Standard deviation of a focal length rounded to whole mm.
+const ROUNDED_MM: f64 = 0.29;
 
 impl Fitted {
     pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {
@@ -51,7 +53,6 @@ pub(super) struct Observation {
     px_from_model: Similarity,
     size_px: [u32; 2],
     principal_px: DVec2,
-    /// Regulariser of the depths, prepared for the head's turn.
     shape: CanonicalShape,
 }
 
@@ -60,7 +61,7 @@ impl Observation {
         let landmarks_px = in_px(landmarks, size_px)?;
         let principal_px = DVec2::new(f64::from(size_px[0]), -f64::from(size_px[1])) / 2.0;
         let px_from_model = fit_canonical_to(&landmarks_px)?;
-        let shape = CanonicalShape::new(camera::turn_rad(px_from_model.rotation))?;
+        let shape = CanonicalShape::new()?;
         Ok(Self { landmarks_px, px_from_model, size_px, principal_px, shape })
     }
 
@@ -68,14 +69,12 @@ impl Observation {
     pub(super) fn fitted(&self, lens: PhotoLens) -> Result<Fitted, FaceError> {
         match lens.checked()? {
             PhotoLens::Parallel => self.parallel(),
-            PhotoLens::Estimated => self.estimated(&self.evidence()?),
+            PhotoLens::Estimated => self.estimated(),
             PhotoLens::Distance(distance_m) => self.at_distance(distance_m),
-            PhotoLens::Given(focal_length_mm) => self.through(focal_length_mm, lens),
+            PhotoLens::Given(focal_length_mm) => self.through(focal_length_mm, lens, 0.0),
             PhotoLens::Exif(focal_length_mm) => {
-                let fitted = self.through(focal_length_mm, lens)?;
-                let evidence = self.evidence()?;
-                let log_likelihood = evidence.log_likelihood(fitted.canonical_distance_m());
-                if log_likelihood < -MAX_CONTRADICTION { self.estimated(&evidence) } else { Ok(fitted) }
+                let fitted = self.through(focal_length_mm, lens, ROUNDED_MM / focal_length_mm)?;
+                if fitted.canonical_distance_m() < NEAREST_M { self.estimated() } else { Ok(fitted) }
             }
         }
     }
@@ -85,18 +84,19 @@ impl Observation {
         (self.px_from_model.rotation.z_axis.z, self.px_from_model.scale)
     }
 
-    /// Moves each landmark of [`Self::fitted`] nearer to the camera by `by_m`, then scales all depths about the camera
-    /// so that their mean is unchanged.
+    /// Moves each landmark of [`Self::fitted`] nearer to the camera by `by_m`, then scales the face about the camera so
+    /// that the mean depth is unchanged.
     pub(super) fn nearer(&self, alone: &Fitted, by_m: &[f64]) -> Result<Fitted, FaceError> {
-        let Camera { focal_px, distance_m, px_per_m, lens, .. } = alone.camera;
+        let Camera { focal_px, distance_m, px_per_m, lens, camera_from_model, .. } = alone.camera;
         let camera_m = if distance_m.is_finite() { distance_m } else { PARALLEL_M };
-        let depths = alone.positions_m.iter().zip(by_m).map(|(&position_m, nearer_m)| {
-            (alone.camera.towards_camera_m(position_m) + camera_m + nearer_m) * px_per_m
+        let moved = alone.landmarks_m().iter().zip(by_m).map(|(&position_m, nearer_m)| {
+            let seen_m = camera_from_model.transform_point3(position_m);
+            let ray = if distance_m.is_finite() { seen_m / seen_m.z } else { DVec3::Z };
+            let moved_m = seen_m + ray * *nearer_m;
+            self.principal_px.extend(0.0) + (moved_m + DVec3::Z * camera_m) * px_per_m
         });
-        let mut depths = recentred(depths.collect(), focal_px);
-        depths.extend(iris_depths(&depths, &self.depths()));
-        let points = self.on_rays(&depths, focal_px);
-        Ok(self.placed(&points, fit_canonical_to(&points)?, focal_px, lens, alone.error))
+        let points = self.with_irises(moved.collect(), focal_px);
+        Ok(self.placed(&points, fit_canonical_to(&points)?, focal_px, lens, alone.log_interval))
     }
 
     /// Refits the photo with the size known from `shape`. If the lens data give a distance, this changes the focal
@@ -109,25 +109,23 @@ impl Observation {
         };
         match alone.camera.lens {
             PhotoLens::Parallel => self.parallel(),
-            lens => self.seen_through(shape.camera.focal_px * share, lens, alone.error),
+            lens => self.seen_through(shape.camera.focal_px * share, lens, alone.log_interval),
         }
     }
 
-    fn evidence(&self) -> Result<Evidence, FaceError> {
-        camera::evidence(&self.landmarks_px[..LANDMARK_COUNT], self.principal_px)
-    }
-
     fn parallel(&self) -> Result<Fitted, FaceError> {
-        Ok(self.placed(&self.landmarks_px, self.px_from_model, f64::INFINITY, PhotoLens::Parallel, 0.0))
+        Ok(self.placed(&self.landmarks_px, self.px_from_model, f64::INFINITY, PhotoLens::Parallel, [0.0; 2]))
     }
 
-    fn estimated(&self, evidence: &Evidence) -> Result<Fitted, FaceError> {
-        let focal_px = self.focal_px_for(|_, px_from_model| evidence.distance_m * px_from_model.scale)?;
-        self.seen_through(focal_px, PhotoLens::Estimated, evidence.error)
+    fn estimated(&self) -> Result<Fitted, FaceError> {
+        let Distance { distance_m, log_interval } =
+            camera::estimated(&self.landmarks_px[..LANDMARK_COUNT], self.principal_px)?;
+        let focal_px = self.focal_px_for(|_, px_from_model| distance_m * px_from_model.scale)?;
+        self.seen_through(focal_px, PhotoLens::Estimated, log_interval)
     }
 
-    fn through(&self, focal_length_mm: f64, lens: PhotoLens) -> Result<Fitted, FaceError> {
-        self.seen_through(camera::focal_px(focal_length_mm, self.size_px), lens, 0.0)
+    fn through(&self, focal_length_mm: f64, lens: PhotoLens, deviation: f64) -> Result<Fitted, FaceError> {
+        self.seen_through(camera::focal_px(focal_length_mm, self.size_px), lens, camera::log_interval(deviation))
     }
 
     /// Fits at a distance that holds for the face's true size.
@@ -136,7 +134,7 @@ impl Observation {
             let (factor, _) = size::scale(points, 1.0 / px_from_model.scale);
             distance_m / factor * px_from_model.scale
         })?;
-        self.seen_through(focal_px, PhotoLens::Distance(distance_m), 0.0)
+        self.seen_through(focal_px, PhotoLens::Distance(distance_m), [0.0; 2])
     }
 
     /// Solves for a focal length that depends on the face's size, which depends on the focal length. Starts with the
@@ -156,11 +154,11 @@ impl Observation {
         Ok(focal_px)
     }
 
-    fn seen_through(&self, focal_px: f64, lens: PhotoLens, error: f64) -> Result<Fitted, FaceError> {
+    fn seen_through(&self, focal_px: f64, lens: PhotoLens, log_interval: [f64; 2]) -> Result<Fitted, FaceError> {
         // Keeps all parts of the face in front of the camera.
         let focal_px = focal_px.max(DISTANCES_M.start() * self.px_from_model.scale);
         let (points, px_from_model) = self.unprojected(focal_px)?;
-        Ok(self.placed(&points, px_from_model, focal_px, lens, error))
+        Ok(self.placed(&points, px_from_model, focal_px, lens, log_interval))
     }
 
     /// Detected depths.
@@ -168,24 +166,55 @@ impl Observation {
         self.landmarks_px.iter().map(|point| point.z).collect()
     }
 
-    /// Unprojects the points with regularised depths, and fits the canonical face to them.
+    /// Unprojects the points with regularised depths, corrects the shape of a turned head, and fits the canonical face.
     fn unprojected(&self, focal_px: f64) -> Result<(Vec<DVec3>, Similarity), FaceError> {
         const STEPS: usize = 2;
-        let canonical = canonical_positions_m();
         let found = self.depths();
         let mut points = self.on_rays(&found, focal_px);
         let mut px_from_model = fit_canonical_to(&points)?;
         for _ in 0..STEPS {
-            let canonical_depths: Vec<f64> =
-                canonical.iter().map(|&position| px_from_model.apply(position).z).collect();
-            let mut depths = self.shape.regularised(&found[..LANDMARK_COUNT], &canonical_depths)?;
+            let mut depths = self.regularised(&px_from_model, focal_px)?;
             let mean = depths.iter().sum::<f64>() / depths.len() as f64;
             depths.iter_mut().for_each(|z| *z -= mean);
-            depths.extend(iris_depths(&depths, &found));
             points = self.on_rays(&depths, focal_px);
             px_from_model = fit_canonical_to(&points)?;
         }
+        let points = self.with_irises(self.corrected(&points, &px_from_model, focal_px)?, focal_px);
+        let px_from_model = fit_canonical_to(&points)?;
         Ok((points, px_from_model))
+    }
+
+    /// Depths drawn to those of the canonical face.
+    fn regularised(&self, px_from_model: &Similarity, focal_px: f64) -> Result<Vec<f64>, FaceError> {
+        let canonical: Vec<DVec3> =
+            canonical_positions_m().iter().map(|&position_m| px_from_model.apply(position_m)).collect();
+        let depths: Vec<f64> = canonical.iter().map(|point| point.z).collect();
+        let seen = self.on_rays(&depths, focal_px);
+        let aside: Vec<DVec3> = seen.iter().zip(&canonical).map(|(seen, canonical)| *seen - *canonical).collect();
+        self.shape.depths(&self.depths()[..LANDMARK_COUNT], &canonical, &aside)
+    }
+
+    /// Landmarks where they are on the head.
+    fn corrected(&self, points: &[DVec3], px_from_model: &Similarity, focal_px: f64) -> Result<Vec<DVec3>, FaceError> {
+        let model_from_px = px_from_model.inverse();
+        let found_m: Vec<DVec3> = points.iter().map(|&point| model_from_px.apply(point)).collect();
+        let eye_m = model_from_px.apply(self.principal_px.extend(focal_px));
+        let corrected_m = turned::corrected(&found_m, eye_m, &self.shape)?;
+        Ok(corrected_m.into_iter().map(|position_m| px_from_model.apply(position_m)).collect())
+    }
+
+    /// Shifts the landmarks to a mean depth of 0, scaling them about the camera, and adds the irises, if detected.
+    fn with_irises(&self, mut points: Vec<DVec3>, focal_px: f64) -> Vec<DVec3> {
+        let mean = points.iter().map(|point| point.z).sum::<f64>() / points.len() as f64;
+        let times = if focal_px.is_finite() { 1.0 / (1.0 - mean / focal_px) } else { 1.0 };
+        for point in &mut points {
+            let aside = (point.truncate() - self.principal_px) * times;
+            *point = (self.principal_px + aside).extend((point.z - mean) * times);
+        }
+        let depths: Vec<f64> = points.iter().map(|point| point.z).collect();
+        let irises = self.landmarks_px[LANDMARK_COUNT..].iter().zip(iris_depths(&depths, &self.depths()));
+        points.extend(irises.map(|(seen, z)| camera::unprojected(seen.truncate(), z, focal_px, self.principal_px)));
+        points
     }
 
     fn on_rays(&self, depths: &[f64], focal_px: f64) -> Vec<DVec3> {
@@ -199,7 +228,7 @@ impl Observation {
         px_from_model: Similarity,
         focal_px: f64,
         lens: PhotoLens,
-        error: f64,
+        log_interval: [f64; 2],
     ) -> Fitted {
         let (factor, scale) = size::scale(points, 1.0 / px_from_model.scale);
         let model_from_px = px_from_model.inverse();
@@ -213,9 +242,9 @@ impl Observation {
             principal_px: DVec2::new(self.principal_px.x, -self.principal_px.y),
             px_per_m: m_per_px.recip(),
             distance_m,
-            distance_error: match lens {
-                PhotoLens::Distance(_) => 0.0,
-                _ => error.hypot(scale.error),
+            distance_interval_m: match lens {
+                PhotoLens::Distance(_) | PhotoLens::Parallel => [distance_m; 2],
+                _ => camera::interval_m(distance_m, log_interval, scale.error),
             },
             camera_from_model: DAffine3::from_mat3_translation(
                 px_from_model.rotation,
@@ -228,18 +257,10 @@ impl Observation {
             camera,
             scale,
             factor,
-            error,
+            log_interval,
             image_from_model: image_from_px * (px_from_model.rotation * px_from_model.scale) * (1.0 / factor),
         }
     }
-}
-
-/// Shifts depths to a mean of 0, scaling the points about the camera.
-fn recentred(mut depths: Vec<f64>, focal_px: f64) -> Vec<f64> {
-    let mean = depths.iter().sum::<f64>() / depths.len() as f64;
-    let times = if focal_px.is_finite() { 1.0 / (1.0 - mean / focal_px) } else { 1.0 };
-    depths.iter_mut().for_each(|z| *z = (*z - mean) * times);
-    depths
 }
 
 /// Depths of the irises, at the detected offset from the lids.

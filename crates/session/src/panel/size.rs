@@ -1,4 +1,4 @@
-use rosto_face::{LANDMARK_COUNT, Measure, PhotoLens};
+use rosto_face::{Camera, LANDMARK_COUNT, Measure, PhotoLens};
 use rosto_studio::EditTarget;
 
 use super::build::{button, group, slider, text};
@@ -30,7 +30,7 @@ fn widgets(session: &Session, face: &OpenFace) -> Vec<Widget> {
     let shown_cm = distance_cm.unwrap_or(DISTANCE_CM.neutral).min(DISTANCE_CM.max);
     let found = face.found_lens();
     vec![
-        text("size.camera", Some(taken_from(&camera.lens, distance_cm, camera.distance_error)), Tone::Help),
+        text("size.camera", Some(taken_from(camera)), Tone::Help),
         slider("size.distance", DISTANCE_CM, "cm", shown_cm, |cm| {
             Intent::PhotoLens(PhotoLens::Distance(cm / CM_PER_M))
         }),
@@ -43,15 +43,19 @@ fn widgets(session: &Session, face: &OpenFace) -> Vec<Widget> {
     ]
 }
 
-fn taken_from(lens: &PhotoLens, distance_cm: Option<f64>, error: f64) -> Phrase {
-    let Some(distance_cm) = distance_cm else { return Phrase::word("size.parallel") };
-    let key = match lens {
+/// Distance of the camera with its 90 % interval.
+fn taken_from(camera: &Camera) -> Phrase {
+    if !camera.distance_m.is_finite() {
+        return Phrase::word("size.parallel");
+    }
+    let key = match camera.lens {
         PhotoLens::Distance(_) => "size.as-given",
         PhotoLens::Estimated => "size.by-face",
         _ => "size.by-lens-data",
     };
-    let phrase = Phrase::word(key).number("distance", distance_cm.round(), 0);
-    phrase.number("error", (distance_cm * error).round().max(1.0), 0)
+    let [nearest_m, farthest_m] = camera.distance_interval_m;
+    let ends = [("distance", camera.distance_m), ("nearest", nearest_m), ("farthest", farthest_m)];
+    ends.into_iter().fold(Phrase::word(key), |phrase, (name, m)| phrase.number(name, (CM_PER_M * m).round(), 0))
 }
 
 /// Distance from the start of the tape to the selection.

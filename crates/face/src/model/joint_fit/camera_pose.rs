@@ -4,7 +4,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use nalgebra::SVector;
 
 use crate::PhotoLens;
-use crate::camera::{Camera, PARALLEL_M};
+use crate::camera::{Camera, PARALLEL_M, interval_m, log_interval};
 
 /// Rotation (3), offset (2), logarithm of the scale, inverse distance.
 pub(super) const PARAMETERS: usize = 7;
@@ -132,7 +132,10 @@ impl CameraPose {
             principal_px: DVec2::from(size_px.map(f64::from)) / 2.0,
             px_per_m: self.px_per_m,
             distance_m,
-            distance_error: if matches!(lens, PhotoLens::Distance(_)) { 0.0 } else { error.hypot(size_error) },
+            distance_interval_m: match lens {
+                PhotoLens::Distance(_) => [distance_m; 2],
+                _ => interval_m(distance_m, log_interval(error), size_error),
+            },
             camera_from_model: DAffine3::from_mat3_translation(self.rotation, at_m),
         }
     }
