@@ -57,6 +57,9 @@ pub fn check_file(
         Error::ImageUnits => CliError::ImageUnits { path: task.output.clone() },
         reason => CliError::in_photos(reason, &[]),
     })?;
+    if task.camera.card_px.is_some() && (task.photos.len() > 1 || output::is_pattern(&task.output)) {
+        return no_effect("--card-px", "a card is in one photo; give only this photo");
+    }
     if task.photos.len() > 1 && !output::is_pattern(&task.output) && task.units == Units::Image {
         return no_effect("a second photo", "image coordinates belong to one photo; use --units mm");
     }

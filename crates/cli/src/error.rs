@@ -139,6 +139,7 @@ impl CliError {
             Self::EditsUnreadable { .. } | Self::EditsFile { .. } | Self::EditsUtf16 { .. } => 2,
             Self::Unreadable { .. } | Self::InvalidPicture { .. } | Self::NoPhotos { .. } => 3,
             Self::SomePhotosFailed { .. } => 3,
+            Self::NoModel { reason: FaceError::NotACard, .. } => 2,
             Self::NoFace { .. } | Self::AnotherFace { .. } => 4,
             // An offset of 1e300 is a valid edit, but exceeds the file's precision.
             Self::Request(Error::Edit { .. } | Error::Export(ExportError::NotFinite { .. })) => 5,

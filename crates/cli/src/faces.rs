@@ -49,7 +49,8 @@ pub fn first(
     Ok((first.landmarks, notes))
 }
 
-/// Observes the first face in each photo, with the given lens or its own; returns notes on the choices.
+/// Observes the first face in each photo, with the given lens or its own, and the given card; returns notes on the
+/// choices.
 pub fn observed(
     photos: &[(PathBuf, Photo)],
     finder: &FaceFinder,
@@ -59,7 +60,9 @@ pub fn observed(
     let (mut observations, mut notes) = (Vec::new(), Vec::new());
     for (path, photo) in photos {
         let (landmarks, its_notes) = first(photo, path, finder, find)?;
-        let observation = Observation::in_photo(photo, landmarks);
+        let sides = [photo.width(), photo.height()].map(f64::from);
+        let card = camera.card_px.map(|card| card.map(|[x, y]| [x / sides[0], y / sides[1]]));
+        let observation = Observation::in_photo(photo, landmarks).with_card(card);
         observations.push(match camera.lens() {
             Some(lens) => observation.with_lens(lens),
             None => observation,

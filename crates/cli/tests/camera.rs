@@ -20,6 +20,11 @@ fn number(about: &Value, name: &str) -> f64 {
     about[name].as_f64().unwrap_or_else(|| panic!("{name} in {about}"))
 }
 
+/// A measure in mm and its 95 % interval.
+fn measure(about: &Value, name: &str) -> [f64; 3] {
+    [0, 1, 2].map(|at| about["measures_mm"][name][at].as_f64().unwrap_or_else(|| panic!("{name} in {about}")))
+}
+
 #[test]
 fn without_lens_data_the_distance_is_estimated_from_the_face() {
     let (about, said) = about("by-the-face", &[]);
@@ -28,8 +33,10 @@ fn without_lens_data_the_distance_is_estimated_from_the_face() {
     // The sample is a studio portrait, taken from further away than a selfie.
     assert!(number(&about, "distance_m") > 0.8, "{about}");
     assert!(number(&about, "yaw_deg").abs() < 15.0 && number(&about, "roll_deg").abs() < 15.0);
-    let width_mm = number(&about["measures_mm"], "face-width");
-    assert!((100.0..180.0).contains(&width_mm), "{width_mm} mm wide");
+    let [height_mm, low_mm, high_mm] = measure(&about, "face-height");
+    assert!((140.0..200.0).contains(&height_mm) && low_mm < height_mm && height_mm < high_mm, "{about}");
+    let [nearest, farthest] = [0, 1].map(|end| about["distance_interval_m"][end].as_f64().unwrap());
+    assert!(nearest < number(&about, "distance_m") && number(&about, "distance_m") < farthest, "{about}");
     assert_eq!(about["irises_mm"].as_object().unwrap().len(), 10);
 }
 
@@ -41,8 +48,24 @@ fn given_camera_options_are_used() {
     let (long_lens, _) = about("long-lens", &["--focal-35mm", "100"]);
     let focal_px = 100.0 * 512.0 * 2_f64.sqrt() / 36_f64.hypot(24.0);
     assert!((number(&long_lens, "focal_px") - focal_px).abs() < 0.01, "{long_lens}");
-    let width = |about: &Value| number(&about["measures_mm"], "face-width");
-    assert!(width(&near) > 1.02 * width(&long_lens), "the perspective correction widens the temples of a near photo");
+    let width = |about: &Value| measure(about, "jaw-width")[0];
+    assert!(width(&near) > 1.01 * width(&long_lens), "the perspective correction widens the jaw of a near photo");
+}
+
+#[test]
+fn a_card_measures_the_face() {
+    // Two sizes of a card in front of the chin.
+    let [near, far] = ["150,230 290,230 290,318 150,318", "190,250 260,250 260,294 190,294"].map(|corners| {
+        let (about, _) = about("card", &["--card-px", corners]);
+        assert_eq!((&about["size_from"], &about["size_error"]), (&"card".into(), &0.01.into()), "{about}");
+        assert_eq!(about["measures_mm"].as_object().unwrap().len(), 10);
+        measure(&about, "jaw-width")[0]
+    });
+    assert!((far / near / 2.0 - 1.0).abs() < 0.1, "{near} {far} mm");
+    let square = ["--card-px", "150,230 250,230 250,330 150,330"];
+    assert_refused(&mesh(&portrait(), &scratch("square.json"), &square), 2, &["bank card"]);
+    let three = ["--card-px", "150,230 250,230 250,330"];
+    assert_refused(&mesh(&portrait(), &scratch("three.json"), &three), 2, &["four corners"]);
 }
 
 #[test]

@@ -8,18 +8,25 @@ use crate::model::MM_PER_M;
 
 /// Returns the camera, pose and size of a face as JSON:
 /// ```json
-/// {"lens": "exif:26", "distance_m": 0.42, "distance_error": 0.05, "focal_px": 903.2,
+/// {"lens": "exif:26", "distance_m": 0.42, "distance_interval_m": [0.39, 0.46], "focal_px": 903.2,
 ///  "yaw_deg": 1.5, "pitch_deg": -3.0, "roll_deg": 0.2, "size_from": "irises", "size_error": 0.045,
-///  "measures_mm": {"face-width": 132.1}, "eye_centres_mm": {"right": [-31.2, 25.0, 33.1], "left": [31.0, 25.2, 33.0]},
+///  "measures_mm": {"face-height": [171.2, 159.0, 183.4]}, "eye_centres_mm": {"right": [-31.2, 25.0, 33.1], "left": [31.0, 25.2, 33.0]},
 ///  "irises_mm": {"right-iris-middle": [-31.0, 26.1, 38.2]}}
 /// ```
-/// Errors are relative, one standard deviation. Measures use `positions_m`, whose first 468 entries are the landmarks.
+/// `size_error` is a relative standard deviation, `distance_interval_m` a 90 % interval. A measure is a length and its 95 %
+/// interval, at `positions_m`, whose first 468 entries are the landmarks; measures less certain than the spread between
+/// people are omitted.
 /// Irises and eye centres are in their detected positions; eye centres do not move with the gaze. An infinite
 /// distance is omitted, with its focal length.
 pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
     let (camera, pose, scale) = (face.camera(), face.camera().pose(), face.scale());
     let rounded = |number: f64, digits: i32| (number * 10_f64.powi(digits)).round() / 10_f64.powi(digits);
-    let measure = |measure: Measure| (measure.id().to_owned(), json!(rounded(measure.of(positions_m) * MM_PER_M, 2)));
+    let measure = |measure: Measure| {
+        let length = measure.length(positions_m, scale)?;
+        let [low_m, high_m] = length.interval_m();
+        let mm = [length.length_m, low_m, high_m].map(|m| rounded(m * MM_PER_M, 2));
+        Some((measure.id().to_owned(), json!(mm)))
+    };
     let position_mm =
         |position: DVec3| json!((position * MM_PER_M).to_array().map(|coordinate| rounded(coordinate, 3)));
     let iris = |(point, position): (usize, &DVec3)| (iris_id(point), position_mm(*position));
@@ -31,7 +38,7 @@ pub fn about(face: &FaceModel, positions_m: &[DVec3]) -> Value {
         "roll_deg": rounded(pose.roll_deg, 2),
         "size_from": scale.source.id(),
         "size_error": rounded(scale.error, 4),
-        "measures_mm": Measure::ALL.into_iter().map(measure).collect::<Map<String, Value>>(),
+        "measures_mm": Measure::ALL.into_iter().filter_map(measure).collect::<Map<String, Value>>(),
         "eye_centres_mm": {"right": position_mm(right), "left": position_mm(left)},
     });
     if camera.distance_m.is_finite() {

@@ -26,6 +26,7 @@ fn several(turns: &[f64]) -> FaceModel {
     let photos = turns.iter().zip(1u8..).map(|(&by_deg, number)| Observation {
         colours_srgb: vec![[number - 1, 100, 200]; LANDMARK_COUNT],
         found_lens: PhotoLens::Exif(25.0 + f64::from(number)),
+        card: None,
         lens: PhotoLens::Distance(number.into()),
         ..Observation::in_photo(&gradient(), turned(by_deg))
     });

@@ -73,6 +73,11 @@ pub enum FaceError {
         /// The lens data as passed.
         lens: String,
     },
+    /// Four corners that cannot be those of a bank card.
+    #[error(
+        "the four corners are not those of a bank card, 85.6 × 54 mm; mark its corners again, or measure without it"
+    )]
+    NotACard,
     /// All landmarks are collinear or coincide, so the face has no orientation.
     #[error("the landmarks are collinear, so the face has no orientation")]
     Degenerate,

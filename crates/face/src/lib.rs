@@ -6,6 +6,7 @@
 mod areas;
 mod camera;
 mod canonical;
+mod card;
 mod carved_eyes;
 mod cheeks;
 mod contours;
@@ -30,12 +31,13 @@ pub use camera::{Camera, Pose};
 pub use canonical::{
     MAX_DENSITY, Triangulation, canonical_positions_m, canonical_uvs, crowded_landmarks, opening_edges,
 };
+pub use card::CardCorners;
 pub use carved_eyes::{CarvedEyes, Gaze};
 pub use cheeks::{covered_cheek, face_width_px};
 pub use contours::OVAL;
 pub use error::FaceError;
 pub use irises::{IRIS_COUNT, POINT_COUNT, iris_id, lids_of};
-pub use measures::Measure;
+pub use measures::{Length, Measure};
 pub use model::{FaceModel, LeftOut, MAX_PHOTOS, PoseFit, Reprojection, View, check_landmarks, depth_bias_m};
 pub use names::{landmark_id, part_id};
 pub use observation::{MAX_PICTURE_SIDE_PX, Observation};

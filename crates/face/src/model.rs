@@ -12,8 +12,9 @@ use rosto_photo::Photo;
 use crate::camera::Camera;
 use crate::irises::eye_centres;
 use crate::size::Scale;
-use crate::{FaceError, LANDMARK_COUNT, Observation, PhotoLens, Triangulation};
+use crate::{CardCorners, FaceError, LANDMARK_COUNT, Observation, PhotoLens, Triangulation};
 use fitting::Fitted;
+use joint_fit::PhotoInput;
 pub use joint_fit::{LeftOut, Reprojection, depth_bias_m};
 use observed::check_count;
 pub use observed::check_landmarks;
@@ -52,7 +53,7 @@ impl FaceModel {
     /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, a number is not finite, the picture has no
     /// area, the lens is invalid, or the weighted landmarks are collinear.
     pub fn new(observation: Observation, triangulation: Triangulation) -> Result<Self, FaceError> {
-        let fitted = Fitted::new(&observation.landmarks, observation.photo_size_px, observation.lens)?;
+        let fitted = Fitted::new(PhotoInput::of(&observation))?;
         check_count("colours", LANDMARK_COUNT, observation.colours_srgb.len())?;
         let view = View::new(observation, (0, fitted.camera, Reprojection::default()));
         Ok(Self::from_fitted(triangulation, fitted, vec![view]))
@@ -134,6 +135,11 @@ impl FaceModel {
     /// Lens of the photo, as passed.
     pub fn lens(&self) -> PhotoLens {
         self.views[0].observation.lens
+    }
+
+    /// Corners of the card that measures the face.
+    pub fn card(&self) -> Option<CardCorners> {
+        self.views[0].observation.card
     }
 
     /// Source and accuracy of the face's size.

@@ -1,7 +1,7 @@
 use rosto_photo::Photo;
 
 use crate::irises::POINT_COUNT;
-use crate::{FaceError, LANDMARK_COUNT, PhotoLens, check_landmarks, plausibility};
+use crate::{CardCorners, FaceError, LANDMARK_COUNT, PhotoLens, check_landmarks, plausibility};
 
 /// A face found in one photo: all that a model is built from, and all that files, the database and the worker's answers
 /// store of it.
@@ -18,13 +18,15 @@ pub struct Observation {
     pub found_lens: PhotoLens,
     /// Lens to use: [`Self::found_lens`], unless the user has chosen another.
     pub lens: PhotoLens,
+    /// Corners of a bank card that is held against the forehead or the chin, which measures the face.
+    pub card: Option<CardCorners>,
     /// The upright picture for the texture, possibly a scaled-down copy of the photo; `None` where the pixels are not
     /// needed.
     pub picture: Option<Photo>,
 }
 
 /// Version of the bytes that is written and read.
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 
 /// Largest side of a model's picture, in px; a model scales larger ones down.
 pub const MAX_PICTURE_SIDE_PX: u32 = 2048;
@@ -51,6 +53,7 @@ impl Observation {
             photo_size_px: [photo.width(), photo.height()],
             found_lens: lens,
             lens,
+            card: None,
             picture: None,
             landmarks,
         }
@@ -59,6 +62,11 @@ impl Observation {
     /// The observation with another lens chosen by the user.
     pub fn with_lens(self, lens: PhotoLens) -> Self {
         Self { lens, ..self }
+    }
+
+    /// The observation with the corners of a card.
+    pub fn with_card(self, card: Option<CardCorners>) -> Self {
+        Self { card, ..self }
     }
 
     /// Checks counts, lenses, and that the landmarks form a face.
@@ -74,6 +82,10 @@ impl Observation {
             let (expected, found) = (LANDMARK_COUNT, self.colours_srgb.len());
             return Err(FaceError::WrongCount { what: "colours", expected, found });
         }
+        let corners = self.card.iter().flatten().flatten();
+        if !corners.into_iter().all(|number| number.abs() <= f64::from(MAX_COORDINATE)) {
+            return Err(FaceError::NotACard);
+        }
         let is_near = self.landmarks.as_flattened().iter().all(|number| number.abs() <= MAX_COORDINATE);
         if !is_near || extent(&self.landmarks) < MIN_EXTENT {
             return Err(FaceError::Implausible);
@@ -85,8 +97,8 @@ impl Observation {
     }
 
     /// The observation as bytes, without its picture: the version, the photo's size in px as two `u32`, the number of
-    /// landmarks as `u16` and their coordinates as `f32`, 468 × 3 colours, and both lenses as texts, each after its
-    /// length as `u8`. Numbers are little-endian.
+    /// landmarks as `u16` and their coordinates as `f32`, 468 × 3 colours, both lenses as texts, each after its
+    /// length as `u8`, and the corners of a card as eight `f64`, if there is one. Numbers are little-endian.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = vec![VERSION];
         bytes.extend(self.photo_size_px.iter().flat_map(|side| side.to_le_bytes()));
@@ -98,6 +110,7 @@ impl Observation {
             bytes.push(text.len() as u8);
             bytes.extend(text.as_bytes());
         }
+        bytes.extend(self.card.iter().flatten().flatten().flat_map(|number| number.to_le_bytes()));
         bytes
     }
 
@@ -141,7 +154,8 @@ impl Reader<'_> {
         let landmarks = numbers.as_chunks::<3>().0.to_vec();
         let colours_srgb = self.take(LANDMARK_COUNT * 3)?.as_chunks::<3>().0.to_vec();
         let (found_lens, lens) = (self.lens()?, self.lens()?);
-        let observation = Observation { landmarks, photo_size_px, colours_srgb, found_lens, lens, picture: None };
+        let card = if self.0.is_empty() { None } else { Some(self.card()?) };
+        let observation = Observation { landmarks, photo_size_px, colours_srgb, found_lens, lens, card, picture: None };
         self.0.is_empty().then_some(observation)
     }
 
@@ -153,6 +167,12 @@ impl Reader<'_> {
 
     fn side(&mut self) -> Option<u32> {
         Some(u32::from_le_bytes(*self.take(4)?.first_chunk()?))
+    }
+
+    fn card(&mut self) -> Option<CardCorners> {
+        let numbers = self.take(8 * 8)?.as_chunks::<8>().0.iter().map(|&bytes| f64::from_le_bytes(bytes));
+        let numbers: Vec<f64> = numbers.collect();
+        numbers.as_chunks::<2>().0.try_into().ok()
     }
 
     fn lens(&mut self) -> Option<PhotoLens> {

@@ -37,7 +37,7 @@ prop_compose! {
             [at[0] + x, (at[1] - y) * aspect, -z].map(|at| at as f32)
         });
         let landmarks = landmarks.collect();
-        Observation { landmarks, photo_size_px, colours_srgb, found_lens, lens, picture: None }
+        Observation { landmarks, photo_size_px, colours_srgb, found_lens, lens, card: None, picture: None }
     }
 }
 
@@ -49,6 +49,7 @@ fn canonical() -> Observation {
         photo_size_px: [300, 300],
         colours_srgb: vec![[180, 120, 90]; LANDMARK_COUNT],
         found_lens: PhotoLens::Exif(26.0),
+        card: None,
         lens: PhotoLens::Distance(0.35),
         picture: None,
     }
@@ -93,8 +94,8 @@ proptest! {
 #[test]
 fn another_version_is_refused_by_its_number() {
     let mut bytes = canonical().to_bytes();
-    bytes[0] = 2;
-    assert_eq!(Observation::from_bytes(&bytes), Err(FaceError::RecordVersion { found: 2, known: 1 }));
+    bytes[0] = 3;
+    assert_eq!(Observation::from_bytes(&bytes), Err(FaceError::RecordVersion { found: 3, known: 2 }));
 }
 
 #[test]

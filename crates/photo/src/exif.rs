@@ -5,10 +5,37 @@
 use image::metadata::Orientation;
 
 const ORIENTATION: u16 = 0x0112;
+const SOFTWARE: u16 = 0x0131;
 const EXIF_DIRECTORY: u16 = 0x8769;
 const PIXEL_X_DIMENSION: u16 = 0xA002;
 const PIXEL_Y_DIMENSION: u16 = 0xA003;
 const FOCAL_LENGTH_IN_35MM_FILM: u16 = 0xA405;
+
+/// Parts of the names of programs that crop, in lower case. Cameras and phones name their firmware.
+const EDITORS: [&str; 22] = [
+    "acdsee",
+    "affinity",
+    "canva",
+    "capture one",
+    "darktable",
+    "facetune",
+    "gimp",
+    "imagemagick",
+    "instagram",
+    "lightroom",
+    "luminar",
+    "meitu",
+    "paint",
+    "photo editor",
+    "photoscape",
+    "photoshop",
+    "picasa",
+    "picsart",
+    "pixelmator",
+    "rawtherapee",
+    "snapseed",
+    "vsco",
+];
 
 /// EXIF fields that Rosto uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +49,8 @@ pub(crate) struct Exif {
 impl Exif {
     /// Reads the EXIF block of a stored picture of `width` × `height` px, before its orientation is applied.
     ///
-    /// The focal length describes the whole frame. It is `None` if it is implausible (0 means unknown), or if the
-    /// aspect ratio differs from EXIF's, which indicates a crop. Lossless rotation leaves EXIF's width and height
+    /// The focal length describes the whole frame. It is `None` if it is implausible (0 means unknown), or if the file
+    /// shows that it may be cropped: its aspect ratio differs from EXIF's, or it names an editor. Lossless rotation leaves EXIF's width and height
     /// unchanged, so either side may be the width.
     pub(crate) fn read(block: &[u8], width: u32, height: u32) -> Self {
         let tiff = Tiff::new(block);
@@ -87,22 +114,40 @@ impl<'a> Tiff<'a> {
         let focal_length = u16::try_from(number(FOCAL_LENGTH_IN_35MM_FILM)?).ok()?;
         let whole = taken_px
             .is_none_or(|[w, h]| [[w, h], [h, w]].iter().any(|&px| px == [0; 2] || same_proportions(px, stored_px)));
-        (whole && PLAUSIBLE_MM.contains(&focal_length)).then_some(focal_length)
+        (whole && !self.is_edited() && PLAUSIBLE_MM.contains(&focal_length)).then_some(focal_length)
+    }
+
+    fn is_edited(&self) -> bool {
+        let software = self.text(self.first, SOFTWARE).unwrap_or_default().to_ascii_lowercase();
+        EDITORS.iter().any(|editor| software.windows(editor.len()).any(|part| part == editor.as_bytes()))
     }
 
     /// Value of a directory entry that holds a single SHORT or LONG.
     fn number(&self, directory: u32, tag: u16) -> Option<u32> {
         const SHORT: u16 = 3;
         const LONG: u16 = 4;
-        let directory = self.bytes.get(usize::try_from(directory).ok()?..)?;
-        let count = usize::from(self.u16_at(directory, 0)?);
-        let entries = directory.get(2..)?.as_chunks::<12>().0;
-        let entry = entries.iter().take(count).find(|entry| self.u16_at(*entry, 0) == Some(tag))?;
+        let entry = self.entry(directory, tag)?;
         match (self.u16_at(entry, 2)?, self.u32_at(entry, 4)?) {
             (SHORT, 1) => self.u16_at(entry, 8).map(u32::from),
             (LONG, 1) => self.u32_at(entry, 8),
             _ => None,
         }
+    }
+
+    /// Value of a directory entry that holds more than four characters.
+    fn text(&self, directory: u32, tag: u16) -> Option<&'a [u8]> {
+        const ASCII: u16 = 2;
+        let entry = self.entry(directory, tag)?;
+        let [count, start] = [4, 8].map(|at| self.u32_at(entry, at).and_then(|number| usize::try_from(number).ok()));
+        let (count, start) = (count?, start?);
+        (self.u16_at(entry, 2)? == ASCII).then(|| self.bytes.get(start..start.checked_add(count)?))?
+    }
+
+    fn entry(&self, directory: u32, tag: u16) -> Option<&'a [u8; 12]> {
+        let directory = self.bytes.get(usize::try_from(directory).ok()?..)?;
+        let count = usize::from(self.u16_at(directory, 0)?);
+        let entries = directory.get(2..)?.as_chunks::<12>().0;
+        entries.iter().take(count).find(|entry| self.u16_at(*entry, 0) == Some(tag))
     }
 
     fn u16_at(&self, bytes: &[u8], at: usize) -> Option<u16> {

@@ -99,6 +99,24 @@ fn a_cropped_picture_has_no_focal_length() {
 }
 
 #[test]
+fn an_edited_picture_has_no_focal_length() {
+    let made_by = |software: &[u8]| {
+        let mut exif = taken_with(28, [4032, 3024]);
+        // The orientation's entry becomes the software's, with its text at the end.
+        let entry = [&0x0131_u16.to_le_bytes()[..], &[2, 0], &(software.len() as u32).to_le_bytes()].concat();
+        let start = (exif.len() as u32).to_le_bytes();
+        exif.splice(10..22, [entry, start.to_vec()].concat());
+        focal_length([96, 72], [exif.as_slice(), software].concat())
+    };
+    for editor in [&b"Adobe Photoshop 25.1 (Macintosh)\0"[..], b"GIMP 2.10.34\0", b"Snapseed 2.19\0"] {
+        assert_eq!(made_by(editor), None);
+    }
+    for firmware in [&b"17.1.2\0"[..], b"HDR+ 1.0.585804376zd\0", b"G991BXXU5CVF3\0", b"\0"] {
+        assert_eq!(made_by(firmware), Some(28.0));
+    }
+}
+
+#[test]
 fn a_losslessly_rotated_picture_keeps_its_focal_length() {
     assert_eq!(focal_length([72, 96], taken_with(28, [4032, 3024])), Some(28.0));
     assert_eq!(focal_length([96, 72], taken_with(28, [3024, 4032])), Some(28.0));

@@ -1,4 +1,5 @@
 mod appearance;
+mod card;
 mod dispatch;
 mod editing;
 #[cfg(test)]
@@ -47,6 +48,8 @@ pub struct Session {
     stage: Stage,
     seeds: Seeds,
     brush_px: Option<f64>,
+    /// Marked corners of a card in px of the photo, while it is being marked.
+    card_px: Option<Vec<DVec2>>,
     live_preview: Option<LivePreview>,
     textures: TextureRequests,
     pub(crate) panel: PanelState,
@@ -69,6 +72,7 @@ impl Session {
             stage: Stage::default(),
             seeds: Seeds::new(seed),
             brush_px: None,
+            card_px: None,
             live_preview: None,
             textures: TextureRequests::default(),
             panel: PanelState::default(),

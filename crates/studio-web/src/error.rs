@@ -13,7 +13,7 @@ const TYPES: &str = r#"
 export type StudioErrorCode =
     | "no-webgpu" | "no-webgl" | "no-adapter" | "no-device" | "canvas-in-use" | "device-lost"
     | "no-face" | "no-selection" | "bad-vertex" | "bad-face" | "bad-number" | "bad-choice"
-    | "not-a-face" | "another-face" | "too-many-photos"
+    | "not-a-face" | "not-a-card" | "another-face" | "too-many-photos"
     | "cannot-solve" | "bad-history" | "too-many-edits" | "other-version"
     | "not-drawn" | "no-memory" | "internal";
 /** A thrown error: `message` says what failed and `hint` what to do. */
@@ -142,6 +142,7 @@ impl From<FaceError> for FacadeError {
             FaceError::Implausible | FaceError::NotAFace { .. } | FaceError::Folded { .. } => {
                 ("not-a-face", "The file was damaged or changed. Open the photo instead.")
             }
+            FaceError::NotACard => ("not-a-card", "Mark the card’s four corners again."),
             FaceError::PhotoCount { .. } => ("too-many-photos", "Remove another photo first."),
             _ => ("bad-face", "Try a photo in which the face is larger and looks towards the camera."),
         };

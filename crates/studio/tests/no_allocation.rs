@@ -80,6 +80,7 @@ fn face() -> FaceModel {
         photo_size_px: [640, 640],
         colours_srgb: vec![[0; 3]; LANDMARK_COUNT],
         found_lens: PhotoLens::Estimated,
+        card: None,
         lens: PhotoLens::Distance(0.5),
         picture: None,
     };

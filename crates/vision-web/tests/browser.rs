@@ -33,6 +33,7 @@ fn canonical_face() -> Observation {
         photo_size_px: [512, 512],
         colours_srgb: vec![[180, 120, 90]; 468],
         found_lens: PhotoLens::Exif(26.0),
+        card: None,
         lens: PhotoLens::Distance(0.5),
         picture: None,
     }

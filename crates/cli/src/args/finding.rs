@@ -1,6 +1,6 @@
 use clap::Args;
 use rosto::networks::Landmarks;
-use rosto_face::PhotoLens;
+use rosto_face::{CardCorners, PhotoLens};
 use rosto_landmarks::FindOptions;
 
 use crate::settings;
@@ -16,6 +16,11 @@ pub struct CameraArguments {
     #[arg(long = "focal-35mm", value_name = "MM", allow_negative_numbers = true, conflicts_with = "distance",
         value_parser = settings::focal_length)]
     pub focal_length: Option<PhotoLens>,
+    /// Corners of a bank card held flat against the forehead or the chin, in px of the upright photo: it measures the face
+    ///
+    /// Four corners in any order, such as "812,340 1204,352 1196,600 806,588".
+    #[arg(long, value_name = "X,Y X,Y X,Y X,Y", value_parser = settings::card_px)]
+    pub card_px: Option<CardCorners>,
 }
 
 impl CameraArguments {

@@ -2,6 +2,7 @@
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::joint_fit::PhotoInput;
 use super::observed::{fit_canonical_to, in_px, px_from_image};
 use super::turned;
 use crate::camera::{self, Camera, CanonicalShape, Distance, PARALLEL_M};
@@ -9,7 +10,7 @@ use crate::irises::{MIDDLE_OF_LIDS, POINTS_OF_AN_IRIS};
 use crate::photo_lens::DISTANCES_M;
 use crate::procrustes::Similarity;
 use crate::size::{self, Scale};
-use crate::{FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m};
+use crate::{CardCorners, FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m, card};
 
 /// Landmarks in the model's frame, with the camera.
 #[derive(Clone)]
@@ -31,8 +32,8 @@ const NEAREST_M: f64 = 0.2;
 const ROUNDED_MM: f64 = 0.29;
 
 impl Fitted {
-    pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2], lens: PhotoLens) -> Result<Self, FaceError> {
-        Observation::new(landmarks, size_px)?.fitted(lens)
+    pub(super) fn new(photo: PhotoInput<'_>) -> Result<Self, FaceError> {
+        Observation::new(photo)?.fitted(photo.lens)
     }
 
     /// The landmarks, without the irises.
@@ -53,16 +54,21 @@ pub(super) struct Observation {
     px_from_model: Similarity,
     size_px: [u32; 2],
     principal_px: DVec2,
+    /// Corners of a card relative to the principal point, y up.
+    card_px: Option<[DVec2; 4]>,
     shape: CanonicalShape,
 }
 
 impl Observation {
-    pub(super) fn new(landmarks: &[[f32; 3]], size_px: [u32; 2]) -> Result<Self, FaceError> {
+    pub(super) fn new(photo: PhotoInput<'_>) -> Result<Self, FaceError> {
+        let PhotoInput { landmarks, size_px, card, .. } = photo;
         let landmarks_px = in_px(landmarks, size_px)?;
         let principal_px = DVec2::new(f64::from(size_px[0]), -f64::from(size_px[1])) / 2.0;
         let px_from_model = fit_canonical_to(&landmarks_px)?;
         let shape = CanonicalShape::new()?;
-        Ok(Self { landmarks_px, px_from_model, size_px, principal_px, shape })
+        let corner_px = |[x, y]: [f64; 2]| DVec2::new(x - 0.5, 0.5 - y) * DVec2::from(size_px.map(f64::from));
+        let card_px = card.map(|card: CardCorners| card.map(corner_px));
+        Ok(Self { landmarks_px, px_from_model, size_px, principal_px, card_px, shape })
     }
 
     /// Fits the face by this photo alone.
@@ -96,7 +102,7 @@ impl Observation {
             self.principal_px.extend(0.0) + (moved_m + DVec3::Z * camera_m) * px_per_m
         });
         let points = self.with_irises(moved.collect(), focal_px);
-        Ok(self.placed(&points, fit_canonical_to(&points)?, focal_px, lens, alone.log_interval))
+        self.placed(&points, fit_canonical_to(&points)?, focal_px, lens, alone.log_interval)
     }
 
     /// Refits the photo with the size known from `shape`. If the lens data give a distance, this changes the focal
@@ -114,13 +120,13 @@ impl Observation {
     }
 
     fn parallel(&self) -> Result<Fitted, FaceError> {
-        Ok(self.placed(&self.landmarks_px, self.px_from_model, f64::INFINITY, PhotoLens::Parallel, [0.0; 2]))
+        self.placed(&self.landmarks_px, self.px_from_model, f64::INFINITY, PhotoLens::Parallel, [0.0; 2])
     }
 
     fn estimated(&self) -> Result<Fitted, FaceError> {
         let Distance { distance_m, log_interval } =
             camera::estimated(&self.landmarks_px[..LANDMARK_COUNT], self.principal_px)?;
-        let focal_px = self.focal_px_for(|_, px_from_model| distance_m * px_from_model.scale)?;
+        let focal_px = self.focal_px_for(|_, px_from_model, _| Ok(distance_m * px_from_model.scale))?;
         self.seen_through(focal_px, PhotoLens::Estimated, log_interval)
     }
 
@@ -130,26 +136,29 @@ impl Observation {
 
     /// Fits at a distance that holds for the face's true size.
     fn at_distance(&self, distance_m: f64) -> Result<Fitted, FaceError> {
-        let focal_px = self.focal_px_for(|points, px_from_model| {
-            let (factor, _) = size::scale(points, 1.0 / px_from_model.scale);
-            distance_m / factor * px_from_model.scale
+        let focal_px = self.focal_px_for(|points, px_from_model, focal_px| {
+            let (factor, _) = self.scale(points, px_from_model, focal_px)?;
+            Ok(distance_m / factor * px_from_model.scale)
         })?;
         self.seen_through(focal_px, PhotoLens::Distance(distance_m), [0.0; 2])
     }
 
     /// Solves for a focal length that depends on the face's size, which depends on the focal length. Starts with the
     /// detected depths, which are accurate enough.
-    fn focal_px_for(&self, focal_px_of: impl Fn(&[DVec3], &Similarity) -> f64) -> Result<f64, FaceError> {
+    fn focal_px_for(
+        &self,
+        focal_px_of: impl Fn(&[DVec3], &Similarity, f64) -> Result<f64, FaceError>,
+    ) -> Result<f64, FaceError> {
         const ROUGH_STEPS: usize = 5;
         const STEPS: usize = 2;
-        let mut focal_px = focal_px_of(&self.landmarks_px, &self.px_from_model);
+        let mut focal_px = focal_px_of(&self.landmarks_px, &self.px_from_model, f64::INFINITY)?;
         for _ in 0..ROUGH_STEPS {
             let points = self.on_rays(&self.depths(), focal_px);
-            focal_px = focal_px_of(&points, &fit_canonical_to(&points)?);
+            focal_px = focal_px_of(&points, &fit_canonical_to(&points)?, focal_px)?;
         }
         for _ in 0..STEPS {
             let (points, px_from_model) = self.unprojected(focal_px)?;
-            focal_px = focal_px_of(&points, &px_from_model);
+            focal_px = focal_px_of(&points, &px_from_model, focal_px)?;
         }
         Ok(focal_px)
     }
@@ -158,7 +167,7 @@ impl Observation {
         // Keeps all parts of the face in front of the camera.
         let focal_px = focal_px.max(DISTANCES_M.start() * self.px_from_model.scale);
         let (points, px_from_model) = self.unprojected(focal_px)?;
-        Ok(self.placed(&points, px_from_model, focal_px, lens, log_interval))
+        self.placed(&points, px_from_model, focal_px, lens, log_interval)
     }
 
     /// Detected depths.
@@ -222,6 +231,17 @@ impl Observation {
         points.map(|(seen, &z)| camera::unprojected(seen.truncate(), z, focal_px, self.principal_px)).collect()
     }
 
+    /// Size relative to the canonical face.
+    fn scale(&self, points: &[DVec3], px_from_model: &Similarity, focal_px: f64) -> Result<(f64, Scale), FaceError> {
+        let canonical_m_per_px = 1.0 / px_from_model.scale;
+        let Some(card_px) = self.card_px else {
+            return Ok(size::scale(points, canonical_m_per_px, camera::turn_rad(px_from_model.rotation)));
+        };
+        let principal = self.principal_px.extend(0.0);
+        let points: Vec<DVec3> = points.iter().map(|&point| point - principal).collect();
+        Ok(size::scale_by_card(card::m_per_px(&points, card_px, focal_px)?, canonical_m_per_px))
+    }
+
     fn placed(
         &self,
         points: &[DVec3],
@@ -229,8 +249,8 @@ impl Observation {
         focal_px: f64,
         lens: PhotoLens,
         log_interval: [f64; 2],
-    ) -> Fitted {
-        let (factor, scale) = size::scale(points, 1.0 / px_from_model.scale);
+    ) -> Result<Fitted, FaceError> {
+        let (factor, scale) = self.scale(points, &px_from_model, focal_px)?;
         let model_from_px = px_from_model.inverse();
         let m_per_px = factor / px_from_model.scale;
         let distance_m = focal_px * m_per_px;
@@ -252,14 +272,14 @@ impl Observation {
             ),
         };
         let image_from_px = px_from_image(self.size_px).inverse().matrix3;
-        Fitted {
+        Ok(Fitted {
             positions_m: points.iter().map(|&point| model_from_px.apply(point) * factor).collect(),
             camera,
             scale,
             factor,
             log_interval,
             image_from_model: image_from_px * (px_from_model.rotation * px_from_model.scale) * (1.0 / factor),
-        }
+        })
     }
 }
 

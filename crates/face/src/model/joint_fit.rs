@@ -12,7 +12,7 @@ mod weights;
 
 use super::fitting::{Fitted, Observation};
 use crate::camera::Camera;
-use crate::{FaceError, PhotoLens};
+use crate::{CardCorners, FaceError, PhotoLens};
 pub use bias::depth_bias_m;
 use joint::Joint;
 use other_view::OtherView;
@@ -24,6 +24,7 @@ pub(super) struct PhotoInput<'a> {
     pub(super) landmarks: &'a [[f32; 3]],
     pub(super) size_px: [u32; 2],
     pub(super) lens: PhotoLens,
+    pub(super) card: Option<CardCorners>,
 }
 
 /// Reprojection error of a shape in a photo, over the landmarks that face the camera.
@@ -107,9 +108,7 @@ pub(super) fn left_out(inputs: &[PhotoInput<'_>]) -> Result<Vec<LeftOut>, FaceEr
 impl<'a> Photos<'a> {
     fn new(inputs: &'a [PhotoInput<'a>]) -> Result<Self, FaceError> {
         let in_photo = |photo| move |reason| FaceError::InPhoto { photo, reason: Box::new(reason) };
-        let observation = |(photo, input): (usize, &PhotoInput<'_>)| {
-            Observation::new(input.landmarks, input.size_px).map_err(in_photo(photo))
-        };
+        let observation = |(photo, input): (usize, &PhotoInput<'_>)| Observation::new(*input).map_err(in_photo(photo));
         let observations: Vec<Observation> = inputs.iter().enumerate().map(observation).collect::<Result<_, _>>()?;
         let alone = observations.iter().zip(inputs).enumerate();
         let alone = alone.map(|(photo, (observation, input))| observation.fitted(input.lens).map_err(in_photo(photo)));

@@ -6,7 +6,9 @@ use super::fitting::Fitted;
 use super::joint_fit::{self, JointFit, LeftOut, PhotoInput, Reprojection};
 use super::{FaceModel, check_count};
 use crate::camera::Camera;
-use crate::{FaceError, LANDMARK_COUNT, MAX_PICTURE_SIDE_PX, Observation, Photo, PhotoLens, Triangulation};
+use crate::{
+    CardCorners, FaceError, LANDMARK_COUNT, MAX_PICTURE_SIDE_PX, Observation, Photo, PhotoLens, Triangulation,
+};
 
 /// Largest number of photos of one face.
 pub const MAX_PHOTOS: usize = 5;
@@ -88,18 +90,27 @@ impl FaceModel {
     /// # Errors
     /// [`FaceError::Lens`] if the lens is invalid.
     pub fn with_lens(&self, lens: PhotoLens) -> Result<Self, FaceError> {
+        self.refitted(lens, self.card())
+    }
+
+    /// Measures the face by a card in the lead photo, or without one.
+    ///
+    /// # Errors
+    /// [`FaceError::NotACard`] if the corners are not those of a card.
+    pub fn with_card(&self, card: Option<CardCorners>) -> Result<Self, FaceError> {
+        self.refitted(self.lens(), card)
+    }
+
+    fn refitted(&self, lens: PhotoLens, card: Option<CardCorners>) -> Result<Self, FaceError> {
         let (fitted, others) = match self.views() {
-            [only] => {
-                let Observation { landmarks, photo_size_px, .. } = &only.observation;
-                (Fitted::new(landmarks, *photo_size_px, lens)?, Vec::new())
-            }
+            [only] => (Fitted::new(PhotoInput { lens, card, ..PhotoInput::of(&only.observation) })?, Vec::new()),
             _ => {
-                let JointFit { fitted, others, .. } = joint_fit::fit(&self.photo_inputs(lens))?;
+                let JointFit { fitted, others, .. } = joint_fit::fit(&self.photo_inputs(lens, card))?;
                 (fitted, others)
             }
         };
         let mut views = self.views.clone();
-        (views[0].observation.lens, views[0].camera) = (lens, fitted.camera);
+        (views[0].observation.lens, views[0].observation.card, views[0].camera) = (lens, card, fitted.camera);
         for (view, (_, camera, reprojection)) in views[1..].iter_mut().zip(others) {
             (view.camera, view.reprojection) = (camera, reprojection);
         }
@@ -122,20 +133,22 @@ impl FaceModel {
     /// # Errors
     /// See [`Self::from_photos`].
     pub fn left_out(&self) -> Result<Vec<LeftOut>, FaceError> {
-        joint_fit::left_out(&self.photo_inputs(self.lens()))
+        joint_fit::left_out(&self.photo_inputs(self.lens(), self.card()))
     }
 
-    /// Facts about each photo in input order, with `lens` for the lead photo.
-    fn photo_inputs(&self, lens: PhotoLens) -> Vec<PhotoInput<'_>> {
+    /// Facts about each photo in input order, with `lens` and `card` for the lead photo.
+    fn photo_inputs(&self, lens: PhotoLens, card: Option<CardCorners>) -> Vec<PhotoInput<'_>> {
         let mut inputs: Vec<PhotoInput<'_>> = self.photos().into_iter().map(PhotoInput::of).collect();
-        inputs[self.views[0].photo].lens = lens;
+        let lead = &mut inputs[self.views[0].photo];
+        (lead.lens, lead.card) = (lens, card);
         inputs
     }
 }
 
 impl<'a> PhotoInput<'a> {
-    fn of(photo: &'a Observation) -> Self {
-        Self { landmarks: &photo.landmarks, size_px: photo.photo_size_px, lens: photo.lens }
+    pub(super) fn of(photo: &'a Observation) -> Self {
+        let Observation { landmarks, photo_size_px, lens, card, .. } = photo;
+        Self { landmarks, size_px: *photo_size_px, lens: *lens, card: *card }
     }
 }
 

@@ -114,7 +114,7 @@ impl Session {
             turntable: view.turntable == Turntable::Turns,
             light: settings.light.into(),
             falloff_band: view.falloff_band,
-            brush_px: self.brush_px(),
+            brush_px: self.pointer_radius_px(),
             preferences: self.preferences(),
             ..self.face().map_or_else(State::default, OpenFace::state)
         }

@@ -1,4 +1,4 @@
-use rosto_face::{Camera, LANDMARK_COUNT, Measure, PhotoLens};
+use rosto_face::{Camera, LANDMARK_COUNT, Length, Measure, PhotoLens, ScaleSource};
 use rosto_studio::EditTarget;
 
 use super::build::{button, group, slider, text};
@@ -20,13 +20,22 @@ fn widgets(session: &Session, face: &OpenFace) -> Vec<Widget> {
     let pose = camera.pose();
     let distance_cm = camera.distance_m.is_finite().then_some(CM_PER_M * camera.distance_m);
     let measure = |measure: Measure| {
-        let mm = MM_PER_M * measure.of(cage);
-        (word("measure", measure.id()), length(mm, scale.error))
+        let length = measure.length(cage, scale);
+        let value = length.map_or_else(
+            || Phrase::word("measure.withheld"),
+            |length| shown(MM_PER_M * length.length_m, MM_PER_M * length.within_m()),
+        );
+        (word("measure", measure.id()), value)
     };
     let degrees = |phrase: Phrase, name, angle: f64| phrase.number(name, angle, 0);
     let turn = degrees(Phrase::word("size.pose"), "yaw", pose.yaw_deg);
     let turn = degrees(degrees(turn, "pitch", pose.pitch_deg), "roll", pose.roll_deg);
-    let source = if scale.source.id() == "irises" { "size.by-irises" } else { "size.canonical" };
+    let source = match scale.source {
+        ScaleSource::Card => "size.by-card",
+        ScaleSource::Irises => "size.by-irises",
+        ScaleSource::Canonical => "size.canonical",
+    };
+    let marking = session.marked_corners().map(|count| Phrase::word("card.next").with("n", (count + 1).to_string()));
     let shown_cm = distance_cm.unwrap_or(DISTANCE_CM.neutral).min(DISTANCE_CM.max);
     let found = face.found_lens();
     vec![
@@ -38,6 +47,10 @@ fn widgets(session: &Session, face: &OpenFace) -> Vec<Widget> {
         text("size.pose", Some(turn), Tone::Help),
         Widget::new("size.measures", Control::Facts { rows: Measure::ALL.map(measure).into() }),
         text("size.source", Some(Phrase::word(source)), Tone::Help),
+        button("card.mark", Intent::MarkCard),
+        text("card.help", Some(marking.unwrap_or_else(|| Phrase::word("card.help"))), Tone::Status),
+        button("card.forget", Intent::ForgetCard)
+            .hidden(face.model().card().is_none() && session.marked_corners().is_none()),
         button("tape.start", Intent::StartTape),
         text("tape.result", Some(tape(session, scale.error)), Tone::Status),
     ]
@@ -71,9 +84,14 @@ fn tape(session: &Session, error: f64) -> Phrase {
     }
 }
 
-/// A length with its standard deviation.
+/// A length along the face with half of its 95 % interval.
 fn length(mm: f64, error: f64) -> Phrase {
-    Phrase::word("amount.mm.about").number("mm", mm, 0).number("error", (mm * error).max(1.0), 0)
+    let length = Length { length_m: mm / MM_PER_M, error };
+    shown(mm, MM_PER_M * length.within_m())
+}
+
+fn shown(mm: f64, within_mm: f64) -> Phrase {
+    Phrase::word("amount.mm.about").number("mm", mm, 0).number("error", within_mm.max(1.0), 0)
 }
 
 /// Name of a vertex, or its number if it is not a landmark.

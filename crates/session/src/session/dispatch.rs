@@ -42,10 +42,11 @@ impl Session {
             Intent::Cancel => self.cancel(),
             Intent::Hover(position_px) => Ok(self.hover(position_px)),
             Intent::PointAt(landmark) => self.point_at(landmark),
-            Intent::Press(position_px, pointer) => Ok(self.press(position_px, pointer)),
+            Intent::Press(position_px, pointer) => self.press(position_px, pointer),
             Intent::Drag(position_px, pace) => self.drag(position_px, pace),
             Intent::Along(axis) => self.drag_along(axis),
             Intent::Release => self.release(),
+            Intent::Undo if self.card_px.is_some() => Ok(self.unmark_corner()),
             Intent::Undo if self.brush_px.is_some() => self.change_strokes(Strokes::undo),
             Intent::Redo if self.brush_px.is_some() => self.change_strokes(Strokes::redo),
             Intent::ClearStrokes => self.change_strokes(Strokes::clear),
@@ -58,6 +59,8 @@ impl Session {
             Intent::Symmetrise(share) => self.symmetrise(share),
             Intent::Density(density) => self.set_density(density),
             Intent::PhotoLens(lens) => self.set_photo_lens(lens),
+            Intent::MarkCard => self.mark_card(),
+            Intent::ForgetCard => self.forget_card(),
             Intent::AddPhoto(photo) => self.change_photos(|face, edit_options| face.add_photo(*photo, edit_options)),
             Intent::RemovePhoto(photo) => {
                 self.change_photos(|face, edit_options| face.remove_photo(photo, edit_options))

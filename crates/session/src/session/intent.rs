@@ -232,6 +232,10 @@ pub enum Intent {
         #[tsify(type = "string")]
         PhotoLens,
     ),
+    /// Shows the photo, in which the next four presses mark the corners of a bank card that measures the face.
+    MarkCard,
+    /// Measures the face without a card.
+    ForgetCard,
     /// Adds a photo of the same face; rebuilds the model from all of them and reapplies the edits.
     #[serde(skip)]
     AddPhoto(Box<Observation>),

@@ -16,7 +16,7 @@ impl Session {
         prepare(&mut face, self.mode, &self.edit_options, self.seeds.peek());
         self.face = Some(face);
         self.textures.restart();
-        (self.gesture, self.hovered, self.brush_px) = (Gesture::Idle, Hovered::default(), None);
+        (self.gesture, self.hovered, self.brush_px, self.card_px) = (Gesture::Idle, Hovered::default(), None, None);
         self.panel = self.panel.for_another_face();
         self.view.print = Visibility::Hidden;
         self.view.show_on(&mut self.stage, false);
@@ -57,7 +57,7 @@ impl Session {
     }
 
     pub(super) fn close(&mut self) -> Result {
-        (self.face, self.brush_px, self.view.print) = (None, None, Visibility::Hidden);
+        (self.face, self.brush_px, self.card_px, self.view.print) = (None, None, None, Visibility::Hidden);
         self.end_live_preview();
         self.see_as_edited();
         (self.gesture, self.hovered) = (Gesture::Idle, Hovered::default());

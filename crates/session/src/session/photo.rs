@@ -47,7 +47,7 @@ impl Session {
     pub(super) fn set_scene(&mut self, scene: Scene) -> Changed {
         self.view.scene = scene;
         match scene {
-            Scene::Solid => self.brush_px = None,
+            Scene::Solid => (self.brush_px, self.card_px) = (None, None),
             Scene::Picture => self.show_print(Visibility::Hidden),
         }
         self.show_scene();
@@ -98,6 +98,7 @@ impl Session {
     pub(super) fn set_brush(&mut self, radius_px: Option<f64>) -> Result {
         // Strokes cannot be placed on a camera stream.
         let radius_px = radius_px.filter(|_| self.live_preview.is_none());
+        self.card_px = None;
         self.brush_px = radius_px.map(|px| within("the brush in px", px, BRUSH_PX.min, BRUSH_PX.max)).transpose()?;
         if self.brush_px.is_some() && self.view.scene != Scene::Picture {
             self.set_scene(Scene::Picture);
@@ -159,8 +160,11 @@ impl Session {
         }
     }
 
-    /// Centres and radii of the protected dabs, in px of the canvas.
+    /// Centres and radii of the protected dabs, in px of the canvas; of a card's corners while it is being marked.
     pub fn protected_on_canvas(&self) -> Vec<[f64; 3]> {
+        if self.card_px.is_some() {
+            return self.marks_on_canvas().collect();
+        }
         let circle = |dab: &Dab| {
             let centre = self.stage.canvas_px(dab.centre_px)?;
             Some([centre.x, centre.y, dab.radius_px * self.stage.px_per_picture_px(dab.centre_px)?])

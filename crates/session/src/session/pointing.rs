@@ -16,8 +16,8 @@ impl Session {
     pub(super) fn hover(&mut self, position_px: Option<DVec2>) -> Changed {
         let before = (self.pointer_px, self.hovered);
         self.pointer_px = position_px;
-        // The brush does not select.
-        let position_px = position_px.filter(|_| self.brush_px.is_none());
+        // The brush and the marks of a card do not select.
+        let position_px = position_px.filter(|_| self.brush_px.is_none() && self.card_px.is_none());
         let hovered = position_px.map_or(Hovered::default(), |position_px| self.hit_at(position_px, Pointer::Fine));
         let shows_dots = self.face.as_ref().is_some_and(|face| face.selects_landmarks(self.mode));
         self.stage.set_pointer(position_px.filter(|_| shows_dots && hovered.vertex.is_some()));
@@ -64,14 +64,17 @@ impl Session {
     }
 
     /// Starts a press. The grabbed vertex is highlighted, also for touch, which has no hover.
-    pub(super) fn press(&mut self, position_px: DVec2, pointer: Pointer) -> Changed {
+    pub(super) fn press(&mut self, position_px: DVec2, pointer: Pointer) -> Result {
+        if self.card_px.is_some() {
+            return self.mark_corner(position_px);
+        }
         if let Some(brush_px) = self.brush_px {
-            return self.paint(position_px, brush_px);
+            return Ok(self.paint(position_px, brush_px));
         }
         let hovered = self.hit_at(position_px, pointer);
         self.gesture = gesture::pressed(hovered, position_px);
         self.set_hovered(hovered);
-        Changed::View
+        Ok(Changed::View)
     }
 
     pub(super) fn hit_at(&self, position_px: DVec2, pointer: Pointer) -> Hovered {

@@ -14,12 +14,14 @@ impl Session {
             | Intent::Symmetrise(_)
             | Intent::Density(_)
             | Intent::PhotoLens(_)
+            | Intent::ForgetCard
             | Intent::AddPhoto(_)
             | Intent::RemovePhoto(_)
             | Intent::Triangulation(_) => true,
             Intent::Offset(_) => face.is_some_and(|face| face.is_sliding()),
             Intent::Slide(slider, _) => face.is_some_and(|face| face.slider() != Some(*slider)),
             Intent::Express(expression, _) => face.is_some_and(|face| face.expression() != Some(*expression)),
+            Intent::Press(..) => self.card_px.is_some(),
             Intent::Drag(..) => matches!(self.gesture, Gesture::Pressed { .. }),
             _ => false,
         }

@@ -17,6 +17,7 @@ pub fn detected() -> Observation {
         photo_size_px: [64, 64],
         colours_srgb: vec![[180, 120, 90]; LANDMARK_COUNT],
         found_lens: PhotoLens::Estimated,
+        card: None,
         lens: PhotoLens::Parallel,
         picture: None,
     }

@@ -1,5 +1,6 @@
 //! Scenarios: sliders, selecting, moving, pointing and restoring work.
 
+mod card;
 mod expressing;
 mod lenses;
 mod marks;

@@ -87,6 +87,7 @@ pub fn found() -> Observation {
         photo_size_px: [PHOTO_PX; 2],
         colours_srgb: vec![[210, 120, 90]; 468],
         found_lens: PhotoLens::Exif(26.0),
+        card: None,
         lens: PhotoLens::Estimated,
         picture: None,
     }

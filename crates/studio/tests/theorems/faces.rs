@@ -21,7 +21,7 @@ pub fn portrait(triangulation: Triangulation) -> Rest {
 /// Black landmarks in a square photo without pixels.
 pub fn observed(landmarks: Vec<[f32; 3]>, side_px: u32, lens: PhotoLens) -> Observation {
     let (photo_size_px, colours_srgb) = ([side_px; 2], vec![[0; 3]; LANDMARK_COUNT]);
-    Observation { landmarks, photo_size_px, colours_srgb, found_lens: lens, lens, picture: None }
+    Observation { landmarks, photo_size_px, colours_srgb, found_lens: lens, lens, card: None, picture: None }
 }
 
 /// The sample portrait's face in normalised image coordinates.
