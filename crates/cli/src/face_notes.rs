@@ -43,7 +43,7 @@ fn remarks(path: &Path, name: &str, photo: &Photo, face: &Face) -> Vec<String> {
 
 fn text(remark: PhotoRemark) -> String {
     match remark {
-        PhotoRemark::MayNotBeAFace { confidence } => format!("may not be a face (confidence {confidence:.2})"),
+        PhotoRemark::MayNotBeAFace { quality } => format!("may not be a face (quality {quality:.2})"),
         PhotoRemark::TinyFace { width_px } => format!("is only {width_px} px wide: it will look soft"),
         PhotoRemark::CoveredCheek { cheek } => {
             let side = if cheek == Region::LeftCheek { "left" } else { "right" };

@@ -30,6 +30,8 @@ struct FaceDto {
     score: f32,
     presence: f32,
     confidence: f32,
+    /// The confidence, times how well the landmarks fit a face.
+    quality: f64,
     landmarks: Vec<[f32; 3]>,
     /// Camera, pose and size of the face; absent if no model can be made.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -38,9 +40,10 @@ struct FaceDto {
 
 impl FaceDto {
     fn new(photo: &Photo, face: Face) -> Self {
+        let quality = (rosto::quality(photo, &face) * 1e4).round() / 1e4;
         let Face { score, presence, confidence, landmarks, .. } = face;
         let about = about(Observation::without_picture(photo, landmarks.clone()));
-        Self { score, presence, confidence, landmarks, about }
+        Self { score, presence, confidence, quality, landmarks, about }
     }
 }
 

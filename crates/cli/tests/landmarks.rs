@@ -101,7 +101,7 @@ fn more_faces_than_the_limit_are_reported() {
 fn a_mesh_uses_the_most_prominent_face_and_doubtful_faces_are_reported() {
     let photo = collage("suit.png", [1600, 900], 850, [[700, 0]].into_iter());
     let output = rosto(["landmarks".into(), photo.clone()]);
-    assert!(said(&output).contains("face 2 may not be a face (confidence 0.7"), "{}", said(&output));
+    assert!(said(&output).contains("face 2 may not be a face (quality 0.7"), "{}", said(&output));
     let output = mesh(&photo, &scratch("face.glb"), &["--density", "0"]);
     assert_eq!(code(&output), 0);
     assert!(said(&output).contains("2 faces found; used the first"), "{}", said(&output));
@@ -109,5 +109,5 @@ fn a_mesh_uses_the_most_prominent_face_and_doubtful_faces_are_reported() {
     let blurred = scratch("blurred.png");
     image::open(portrait()).unwrap().blur(5.0).save(&blurred).unwrap();
     let output = mesh(&blurred, &scratch("blurred.glb"), &["--density", "0"]);
-    assert!(said(&output).contains("this face may not be a face (confidence 0."), "{}", said(&output));
+    assert!(said(&output).contains("this face may not be a face (quality 0."), "{}", said(&output));
 }

@@ -43,6 +43,7 @@ pub use names::{landmark_id, part_id};
 pub use observation::{MAX_PICTURE_SIDE_PX, Observation};
 pub use openings::{Opening, Piece, SplitFace, without_fillings};
 pub use photo_lens::{DISTANCES_M, PhotoLens};
+pub use plausibility::likeness;
 pub use regions::Region;
 pub use rosto_photo::Photo;
 pub use size::{Scale, ScaleSource};

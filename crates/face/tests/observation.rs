@@ -175,3 +175,14 @@ fn the_chosen_lens_does_not_replace_the_found_one() {
     let again = face.with_lens(PhotoLens::Distance(0.5)).unwrap();
     assert_eq!((again.photos()[0].found_lens, again.lens()), (PhotoLens::Exif(26.0), PhotoLens::Distance(0.5)));
 }
+
+#[test]
+fn a_stretched_face_is_less_likely_one() {
+    let Observation { landmarks, photo_size_px, .. } = canonical();
+    let stretched = |times: f32| landmarks.iter().map(|&[x, y, z]| [x, 0.5 + times * (y - 0.5), z]).collect::<Vec<_>>();
+    let [same, taller, twice] =
+        [1.0, 1.5, 2.0].map(|times| likeness(&stretched(times), photo_size_px).expect("no landmark is refused"));
+    assert_eq!(same, 1.0);
+    assert!(same > taller && taller > twice && twice < 0.1, "{same} {taller} {twice}");
+    assert_eq!(likeness(&landmarks[1..], photo_size_px), None);
+}

@@ -24,7 +24,7 @@ pub use mesh_request::MeshRequest;
 pub use photo_edit::{MAX_DABS, PhotoEdit};
 pub use photo_request::{EditedPhoto, PhotoRequest};
 #[cfg(feature = "find")]
-pub use remarks::PhotoRemark;
+pub use remarks::{PhotoRemark, quality};
 pub use settings::{anchor_rule, constraint};
 
 pub use rosto_export::{

@@ -1,4 +1,4 @@
-use rosto_face::{Region, covered_cheek, face_width_px};
+use rosto_face::{Region, covered_cheek, face_width_px, likeness};
 use rosto_landmarks::Face;
 use rosto_photo::Photo;
 
@@ -10,8 +10,8 @@ const TINY_BELOW_PX: u32 = 90;
 pub enum PhotoRemark {
     /// The detection may not be a face.
     MayNotBeAFace {
-        /// See [`Face::confidence`].
-        confidence: f32,
+        /// See [`quality`].
+        quality: f64,
     },
     /// The face has too few pixels for a sharp texture.
     TinyFace {
@@ -25,11 +25,21 @@ pub enum PhotoRemark {
     },
 }
 
+/// Quality below which a face may not be one. Cloth and photos without people reach 0.88.
+const DOUBTFUL_BELOW: f64 = 0.9;
+
+/// How likely a face found in `photo` is one and well fitted, from 0 to 1: the networks' confidence times the
+/// [`likeness`] of the landmarks.
+pub fn quality(photo: &Photo, face: &Face) -> f64 {
+    f64::from(face.confidence) * likeness(&face.landmarks, [photo.width(), photo.height()]).unwrap_or(0.0)
+}
+
 impl PhotoRemark {
     /// Remarks on a face found in `photo`, the most important first.
     pub fn of(photo: &Photo, face: &Face) -> Vec<Self> {
         let size_px = [photo.width(), photo.height()];
-        let doubt = face.is_doubtful().then_some(Self::MayNotBeAFace { confidence: face.confidence });
+        let quality = quality(photo, face);
+        let doubt = (quality < DOUBTFUL_BELOW).then_some(Self::MayNotBeAFace { quality });
         let width_px = face_width_px(&face.landmarks, size_px).map(|width_px| width_px.round() as u32);
         let tiny = width_px.filter(|&width_px| width_px < TINY_BELOW_PX).map(|width_px| Self::TinyFace { width_px });
         let cover = covered_cheek(photo, &face.landmarks).map(|cheek| Self::CoveredCheek { cheek });
