@@ -44,7 +44,12 @@ impl PhotoWarp {
         protected: &[Dab],
     ) -> Result<Self, StudioError> {
         let camera = face.camera();
-        let positions: Vec<DVec3> = document.rest().iter().map(|&position_m| project(camera, position_m)).collect();
+        let size_px = DVec2::from(face.photo_size_px().map(f64::from));
+        // Where the landmarks were found: those on the hidden side of the model have left their rays.
+        let found_px = document.from_cage(face.uvs()).into_iter().map(|uv| uv * size_px);
+        let positions: Vec<DVec3> = (found_px.zip(document.rest()))
+            .map(|(found_px, &position_m)| found_px.extend(camera.towards_camera_m(position_m)))
+            .collect();
         let skin = without_fillings(face.topology().triangles(), document.topology().triangles());
         let (vertices, from_px) = driving_vertices(&skin, &positions);
         let side_px = longer_side(&from_px);
@@ -81,10 +86,6 @@ impl PhotoWarp {
     pub fn limited_px(&self) -> f64 {
         self.warp.limited_px()
     }
-}
-
-fn project(camera: &Camera, position_m: DVec3) -> DVec3 {
-    camera.project(position_m).unwrap_or(DVec2::NAN).extend(camera.towards_camera_m(position_m))
 }
 
 /// The vertices of a face's skin that drive a warp, with their positions in px. `places` are in px, y down, and metres

@@ -2,7 +2,6 @@
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::joint_fit::PhotoInput;
 use super::observed::{fit_canonical_to, in_px, px_from_image};
 use super::turned;
 use crate::camera::{self, Camera, CanonicalShape, Distance, PARALLEL_M};
@@ -11,6 +10,15 @@ use crate::photo_lens::DISTANCES_M;
 use crate::procrustes::Similarity;
 use crate::size::{self, Scale};
 use crate::{CardCorners, FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m, card};
+
+/// Facts about one photo.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PhotoInput<'a> {
+    pub(super) landmarks: &'a [[f32; 3]],
+    pub(super) size_px: [u32; 2],
+    pub(super) lens: PhotoLens,
+    pub(super) card: Option<CardCorners>,
+}
 
 /// Landmarks in the model's frame, with the camera.
 #[derive(Clone)]

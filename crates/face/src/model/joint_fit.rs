@@ -10,22 +10,13 @@ mod other_view;
 mod rays;
 mod weights;
 
-use super::fitting::{Fitted, Observation};
+use super::fitting::{Fitted, Observation, PhotoInput};
 use crate::camera::Camera;
-use crate::{CardCorners, FaceError, PhotoLens};
+use crate::FaceError;
 pub use bias::depth_bias_m;
 use joint::Joint;
 use other_view::OtherView;
 use rays::Rays;
-
-/// Facts about one photo.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct PhotoInput<'a> {
-    pub(super) landmarks: &'a [[f32; 3]],
-    pub(super) size_px: [u32; 2],
-    pub(super) lens: PhotoLens,
-    pub(super) card: Option<CardCorners>,
-}
 
 /// Reprojection error of a shape in a photo, over the landmarks that face the camera.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

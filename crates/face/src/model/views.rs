@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::fitting::Fitted;
-use super::joint_fit::{self, JointFit, LeftOut, PhotoInput, Reprojection};
+use super::fitting::{Fitted, PhotoInput};
+use super::joint_fit::{self, JointFit, LeftOut, Reprojection};
 use super::{FaceModel, check_count};
 use crate::camera::Camera;
 use crate::{
