@@ -12,8 +12,8 @@ order), NAME/known.json with cameras, and the photos. ROSTO is the program. LENS
 - depth: mean difference from the surface along the camera's axis, where the landmarks are seen,
 
 then distances and measures with the coverage of their intervals, and for each area of the face the outward correction
-in mm at 30° on the near and the far side, what is left of it with its jackknife spread, and the ICP with the correction
-learnt from the other heads. Only differences between photos of the same head are learnt, so that the mean shape of the heads is not.
+in mm at 30° on the near and the far side, the error that is left with its jackknife spread, and the ICP with the
+correction learnt from the other heads. Only differences between photos of the same head are learnt, so that the mean shape of the heads is not.
 """
 
 import json
@@ -33,7 +33,7 @@ TABLES = ROOT / "crates" / "face" / "src"
 SAME = {30: 1, 33: 2, 36: 33, 39: 133, 42: 362, 45: 263, 48: 61, 54: 291, 27: 168, 8: 152}
 PHOTOS = ("turn05", "turn08", "turn12", "turn17", "expr00", "view")
 MIRROR = np.array([-1, 1, 1])
-UNIT_DEG, MAX_TURN, RIDGE, FAIRING = 30, 1.3, 2.0, 20.0
+UNIT_DEG, MAX_TURN, RIDGE, FAIRING = 30, 1.3, 2.0, 60.0
 
 
 def integers(text):
@@ -145,7 +145,7 @@ class Head:
         return middle + turned[:, :2] * [1, -1] * view["focal_px"] / away[:, None], away
 
     def depths(self, view, pixels):
-        """Distance along the camera's axis of the surface at these pixels, in mm; NaN beside the head."""
+        """Distance along the camera's axis of the surface at these pixels, in mm; NaN off the head."""
         at, away = self.seen(view, self.vertices)
         corners, inverse = at[self.faces], 1 / away[self.faces]
         _, near = cKDTree(corners.mean(1)).query(pixels, k=60)
@@ -191,6 +191,23 @@ def normals(shape):
     for corner in range(3):
         np.add.at(total, TRIANGLES[:, corner], np.cross(b - a, c - a))
     return total / np.linalg.norm(total, axis=1, keepdims=True)
+
+
+REGIONS = {
+    "forehead, brows": ("Forehead", "Glabella", "Brow", "Temple"),
+    "eyes": ("UpperEyelid", "EyeCorner", "LowerEyelid", "UnderBrow", "UnderEye"),
+    "nose": ("NoseBridge", "NoseSide", "NoseTip", "NoseWing", "Nostril"),
+    "cheeks": ("Cheekbone", "Cheek", "SideOfFace", "SmileLine"),
+    "mouth": ("Philtrum", "UpperLip", "MouthCorner", "LowerLip"),
+    "chin, jaw": ("ChinCrease", "Chin", "Jaw"),
+}
+
+
+def by_region(head, shape):
+    """Mean distance to the surface after a similarity, in mm, of the landmarks of each region."""
+    _, transform, near = head.icp(shape)
+    distance = np.linalg.norm(moved(shape, transform) - near, axis=1)
+    return [distance[np.isin(AREA, areas)].mean() for areas in REGIONS.values()]
 
 
 def four_numbers(head, view, shape):
@@ -268,6 +285,9 @@ def report(lens, jobs, meshes):
         numbers = zip(("ICP", "metric", "landmarks", "depth"), ours, theirs)
         text = ", ".join(f"{name} {a:.2f} ({b:.2f})" for name, a, b in numbers)
         print(f"{title:10} {text}; ICP {ours[0] / theirs[0]:.3f}")
+    ours = np.mean([by_region(head, shape) for (head, _), (shape, _) in zip(jobs, meshes)], axis=0)
+    theirs = np.mean([by_region(head, AVERAGE) for head, _ in jobs], axis=0)
+    print("ICP by region:", ", ".join(f"{name} {a:.2f} ({b:.2f})" for name, a, b in zip(REGIONS, ours, theirs)))
     print(f"worst photo {(found[:, 0] / average[:, 0]).max():.3f}")
     distances = np.array([view["distance_mm"] for _, view in jobs])
     said = np.array([1000 * about["distance_m"] for _, about in meshes])

@@ -45,7 +45,7 @@ impl PhotoWarp {
     ) -> Result<Self, StudioError> {
         let camera = face.camera();
         let size_px = DVec2::from(face.photo_size_px().map(f64::from));
-        // Where the landmarks were found: those on the hidden side of the model have left their rays.
+        // The found landmarks, since those on the hidden side of the model have left their rays.
         let found_px = document.from_cage(face.uvs()).into_iter().map(|uv| uv * size_px);
         let positions: Vec<DVec3> = (found_px.zip(document.rest()))
             .map(|(found_px, &position_m)| found_px.extend(camera.towards_camera_m(position_m)))

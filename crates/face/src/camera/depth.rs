@@ -6,7 +6,7 @@ use crate::areas::Area;
 use crate::{FaceError, LANDMARK_COUNT, Triangulation, canonical_positions_m};
 
 /// Weight of the canonical shape relative to the detected depths.
-const WEIGHT: f64 = 20.0;
+const WEIGHT: f64 = 60.0;
 
 /// Share of a landmark's offset from the canonical face that is a slide along the surface; the rest is the shape of
 /// this face. Measured on heads of known shape; 0.45 ± 0.05 between them.

@@ -11,8 +11,8 @@ mod rays;
 mod weights;
 
 use super::fitting::{Fitted, Observation, PhotoInput};
-use crate::camera::Camera;
 use crate::FaceError;
+use crate::camera::Camera;
 pub use bias::depth_bias_m;
 use joint::Joint;
 use other_view::OtherView;

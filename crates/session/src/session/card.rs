@@ -67,7 +67,7 @@ impl Session {
         self.card_px.as_ref().map(Vec::len)
     }
 
-    /// Radius of what is drawn under the pointer on the photo, in CSS px: the brush, or the mark of a corner.
+    /// Radius of the circle under the pointer on the photo, in CSS px: the brush, or the mark of a corner.
     pub fn pointer_radius_px(&self) -> Option<f64> {
         if self.card_px.is_some() { Some(MARK_PX) } else { self.brush_px }
     }
