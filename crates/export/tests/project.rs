@@ -133,7 +133,7 @@ fn a_damaged_or_implausible_observation_is_refused() {
         project::read(&with_header(|header| header.replacen(&before, &BASE64_STANDARD.encode(&bytes), 1)))
     };
     let refused = |reason| Err(ReopenError::Face(reason));
-    let version = FaceError::RecordVersion { found: 7, known: 2 };
+    let version = FaceError::RecordVersion { found: 7, known: 1 };
     assert_eq!(with_observation(&|bytes| bytes[0] = 7), refused(version));
     let bytes = face(Triangulation::Canonical).photos()[0].to_bytes().len() - 1;
     assert_eq!(with_observation(&|bytes| bytes.truncate(bytes.len() - 1)), refused(FaceError::Record { bytes }));

@@ -26,7 +26,7 @@ pub struct Observation {
 }
 
 /// Version of the bytes that is written and read.
-const VERSION: u8 = 2;
+const VERSION: u8 = 1;
 
 /// Largest side of a model's picture, in px; a model scales larger ones down.
 pub const MAX_PICTURE_SIDE_PX: u32 = 2048;

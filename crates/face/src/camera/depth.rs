@@ -49,15 +49,14 @@ impl CanonicalShape {
     /// # Errors
     /// [`FaceError::Degenerate`] if a depth is not finite.
     pub(crate) fn depths(&self, found: &[f64], canonical: &[DVec3], aside: &[DVec3]) -> Result<Vec<f64>, FaceError> {
-        let differences: Vec<f64> = found.iter().zip(canonical).map(|(found, point)| found - point.z).collect();
-        let faired = self.faired(&differences)?;
         let normals = vertex_normals(&Triangulation::Canonical.topology(), canonical);
-        let deeper = normals
-            .iter()
-            .zip(aside)
-            .map(|(normal, aside)| normal.truncate().dot(aside.truncate()) / normal.z.max(MIN_COSINE));
-        let depths = canonical.iter().zip(faired).zip(deeper.zip(&self.slides));
-        Ok(depths.map(|((point, difference), (deeper, slide))| point.z + difference - slide * deeper).collect())
+        let nearer =
+            normals.iter().zip(aside).map(|(n, aside)| -n.truncate().dot(aside.truncate()) / n.z.max(MIN_COSINE));
+        let differences = found.iter().zip(canonical).zip(nearer.zip(&self.slides));
+        let differences: Vec<f64> =
+            differences.map(|((found, point), (nearer, slide))| found - point.z + slide * nearer).collect();
+        let faired = self.faired(&differences)?;
+        Ok(canonical.iter().zip(faired).map(|(point, difference)| point.z + difference).collect())
     }
 }
 
