@@ -97,13 +97,15 @@ mod tests {
     }
 
     #[test]
-    fn a_landmark_that_slid_is_drawn_to_the_surface() {
-        // A point of the cheek, whose surface falls off to the side.
+    fn a_cheek_that_slid_outwards_is_drawn_to_the_surface() {
         const CHEEK: usize = 123;
         let canonical = canonical_positions_m();
-        let mut aside = NOWHERE;
-        aside[CHEEK] = DVec3::new(0.004_f64.copysign(canonical[CHEEK].x), 0.0, 0.0);
+        let side = canonical[CHEEK].x.signum();
+        let outwards =
+            |position_m: &DVec3| if position_m.x * side > 0.02 { DVec3::X * side * 0.004 } else { DVec3::ZERO };
+        let aside: Vec<DVec3> = canonical.iter().map(outwards).collect();
         let moved = CanonicalShape::new().unwrap().depths(&depths(), &canonical, &aside).unwrap();
-        assert!((-0.004..-0.001).contains(&(moved[CHEEK] - canonical[CHEEK].z)), "{}", moved[CHEEK]);
+        let deeper = canonical[CHEEK].z - moved[CHEEK];
+        assert!((0.000_5..0.004).contains(&deeper), "{deeper}");
     }
 }
