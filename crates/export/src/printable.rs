@@ -57,6 +57,17 @@ impl PrintedBody {
     }
 }
 
+/// Largest relative difference from the chosen height.
+const MAX_HEIGHT_ERROR: f64 = 0.001;
+
+/// Closes the surface of a scaled model.
+fn closed(model: &Model<'_>, scale: DVec3, closing: Closing) -> Result<Body, ExportError> {
+    let scaled = |positions_m: &[DVec3]| positions_m.iter().map(|position| *position * scale).collect::<Vec<_>>();
+    let (positions_m, smoothed_m) = (scaled(model.positions_m), model.smoothed_m.map(scaled));
+    let surface = Surface::new(model.topology, &positions_m).map_err(rosto_solid::SolidError::from)?;
+    Ok(Body::closed_or_smoothed(surface, smoothed_m.as_ref().unwrap_or(&positions_m), closing)?)
+}
+
 /// Colours of a printed body on the stage.
 const CLAY: [u8; 3] = [0xc9, 0xbd, 0xb0];
 const AMBER: [u8; 3] = [0xf0, 0x9a, 0x14];
@@ -74,11 +85,15 @@ impl Print {
             Solid::Thickness { mm } => Closing::Thickness { thickness_m: mm / MM_PER_M },
             Solid::FlatBack { .. } => Closing::FlatBack { thickness_m: BACK_MM / MM_PER_M },
         };
-        let scale = self.scale(model.positions_m);
-        let scaled = |positions_m: &[DVec3]| positions_m.iter().map(|position| *position * scale).collect::<Vec<_>>();
-        let (positions_m, smoothed_m) = (scaled(model.positions_m), model.smoothed_m.map(scaled));
-        let surface = Surface::new(model.topology, &positions_m).map_err(rosto_solid::SolidError::from)?;
-        let body = Body::closed_or_smoothed(surface, smoothed_m.as_ref().unwrap_or(&positions_m), closing)?;
+        let mut scale = self.scale(model.positions_m);
+        let mut body = closed(model, scale, closing)?;
+        // Smoothing can lower the highest or raise the lowest point.
+        let printed_m = extent(&body.positions_m()[..body.front_vertices()], 1);
+        let times = scale.y * extent(model.positions_m, 1) / printed_m;
+        if self.height != PrintHeight::Life && (times - 1.0).abs() > MAX_HEIGHT_ERROR {
+            scale *= times;
+            body = closed(model, scale, closing)?;
+        }
         let Some(eyes) = model.eyes else {
             return Ok(Some(PrintedBody { body, scale: scale.y, colours_srgb: model.colours_srgb.to_vec() }));
         };
