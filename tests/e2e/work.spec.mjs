@@ -54,6 +54,8 @@ test("holding B shows the original face", { tag: "@eyes" }, async ({ editor, pag
   const before = await editor.view();
   await editor.setOffset("z", 12);
   await page.focus("#viewport");
+  // The marks of the point fade a second after the edit.
+  await page.waitForTimeout(1500);
   const after = await editor.view();
   await page.keyboard.down("b");
   const held = await editor.view();
