@@ -25,8 +25,8 @@ pub use views::{MAX_PHOTOS, View};
 ///
 /// The model's frame is that of the canonical face: metres, right-handed, +Y up, +Z out of the face, +X to the
 /// subject's left. The pose is removed, so the face looks along +Z. Perspective is removed too: seen by
-/// [`Self::camera`], the model coincides with the photo. The size comes from the irises or, if they are not visible,
-/// from the canonical head.
+/// [`Self::camera`], landmarks that face it coincide with the photo. The size comes from a card, from the irises and the
+/// canonical head or, if the irises are not visible, from the canonical head.
 #[derive(Debug, Clone)]
 pub struct FaceModel {
     triangulation: Triangulation,
@@ -45,12 +45,12 @@ impl FaceModel {
     ///
     /// The fit is a weighted Procrustes problem over MediaPipe's 33 weighted landmarks, each unprojected on its ray
     /// from the camera: px, (x·W, −y·H, −z·W). As in MediaPipe, the transform from the canonical face to the picture is
-    /// estimated and then inverted. Depths are regularised towards the canonical face's δ-coordinates, unless the lens
-    /// is [`PhotoLens::Parallel`].
+    /// estimated and then inverted. Unless the lens is [`PhotoLens::Parallel`], depths are regularised towards the
+    /// canonical face's δ-coordinates, and the errors of a turned head are corrected.
     ///
     /// # Errors
     /// [`FaceError`] if there are not 468 or 478 landmarks and 468 colours, a number is not finite, the picture has no
-    /// area, the lens is invalid, or the weighted landmarks are collinear.
+    /// area, the lens is invalid, the weighted landmarks are collinear, or the corners of the card are not those of a card.
     pub fn new(observation: Observation, triangulation: Triangulation) -> Result<Self, FaceError> {
         let fitted = Fitted::new(PhotoInput::of(&observation))?;
         check_count("colours", LANDMARK_COUNT, observation.colours_srgb.len())?;

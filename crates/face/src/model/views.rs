@@ -24,7 +24,7 @@ pub struct View {
     pub uvs: Vec<DVec2>,
     /// The camera, in px of the photo.
     pub camera: Camera,
-    /// Reprojection error of the model; 0 for the lead photo, with which the model coincides.
+    /// Reprojection error of the model; 0 for the lead photo.
     pub reprojection: Reprojection,
 }
 
@@ -32,7 +32,7 @@ impl FaceModel {
     /// Builds a model from 1 to [`MAX_PHOTOS`] photos, which may differ in expression, distance and lens.
     ///
     /// The lead photo is the most frontal one, among those that show the face at least half as large as the largest.
-    /// Its landmarks, colours, picture, lens and size are the model's, and the model coincides with it as for a single
+    /// Its landmarks, colours, picture, lens and size are the model's, and the model matches it as for a single
     /// photo. The other photos determine the depths along its rays. The displacements z and the other cameras π
     /// minimise
     ///

@@ -1,5 +1,5 @@
 use glam::DVec3;
-use rosto_face::{CardCorners, FaceModel, LANDMARK_COUNT, PhotoLens, Triangulation};
+use rosto_face::{FaceModel, LANDMARK_COUNT, Triangulation};
 use rosto_studio::{CoordinateFrame, Document, Rest};
 
 use super::OpenFace;
@@ -49,22 +49,6 @@ impl OpenFace {
         self.rows.read(&self.document, 0);
         self.prepare(edit_options);
         Ok(())
-    }
-
-    /// Rebuilds the model for another lens of the photo and reapplies the edits.
-    pub(crate) fn set_photo_lens(&mut self, lens: PhotoLens, edit_options: &EditOptions) -> Result<(), SessionError> {
-        let model = self.model.with_lens(lens)?;
-        self.replace_model(model, edit_options)
-    }
-
-    /// Rebuilds the model for a card in the photo, or without one, and reapplies the edits.
-    pub(crate) fn set_card(
-        &mut self,
-        card: Option<CardCorners>,
-        edit_options: &EditOptions,
-    ) -> Result<(), SessionError> {
-        let model = self.model.with_card(card)?;
-        self.replace_model(model, edit_options)
     }
 
     /// Replaces the model and reapplies the edits.

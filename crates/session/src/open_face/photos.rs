@@ -1,4 +1,4 @@
-use rosto_face::{FaceModel, Observation, PhotoLens, Turn};
+use rosto_face::{CardCorners, FaceModel, Observation, PhotoLens, Turn};
 
 use super::{OpenFace, PhotoEdit};
 use crate::edit_options::EditOptions;
@@ -59,6 +59,21 @@ impl OpenFace {
             return Err(SessionError::NoSuchPhoto { photo, count });
         }
         self.use_photos(self.model.without_photo(photo)?, edit_options)
+    }
+
+    /// Changes the lens of the lead photo and reapplies the edits. Returns false, as the lead photo is the same.
+    pub(crate) fn set_photo_lens(&mut self, lens: PhotoLens, edit_options: &EditOptions) -> Result<bool, SessionError> {
+        self.use_photos(self.model.with_lens(lens)?, edit_options)
+    }
+
+    /// Measures the face by a card in the lead photo, or without one, and reapplies the edits. Returns false, as the lead
+    /// photo is the same.
+    pub(crate) fn set_card(
+        &mut self,
+        card: Option<CardCorners>,
+        edit_options: &EditOptions,
+    ) -> Result<bool, SessionError> {
+        self.use_photos(self.model.with_card(card)?, edit_options)
     }
 
     fn use_photos(&mut self, model: FaceModel, edit_options: &EditOptions) -> Result<bool, SessionError> {

@@ -3,8 +3,8 @@ use rosto_face::CardCorners;
 use rosto_stage::Scene;
 
 use super::{Result, Session};
+use crate::Changed;
 use crate::gesture::Gesture;
-use crate::{Changed, SessionError};
 
 /// Radius of a mark of a corner, in CSS px.
 const MARK_PX: f64 = 7.0;
@@ -51,15 +51,10 @@ impl Session {
     }
 
     fn set_card(&mut self, card: Option<CardCorners>) -> Result {
-        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
-        if face.model().card() == card {
+        if self.open_face()?.model().card() == card {
             return Ok(Changed::Document);
         }
-        face.set_card(card, &self.edit_options)?;
-        self.new_mesh();
-        self.textures.restart();
-        self.show_pinhole();
-        Ok(Changed::Mesh)
+        self.change_photos(|face, edit_options| face.set_card(card, edit_options))
     }
 
     /// Number of marked corners, while a card is being marked.

@@ -154,15 +154,10 @@ impl Session {
     }
 
     pub(super) fn set_photo_lens(&mut self, lens: PhotoLens) -> Result {
-        let face = self.face.as_mut().ok_or(SessionError::NoFace)?;
-        if face.model().lens() == lens {
+        if self.open_face()?.model().lens() == lens {
             return Ok(Changed::Nothing);
         }
-        face.set_photo_lens(lens, &self.edit_options)?;
-        self.new_mesh();
-        self.textures.restart();
-        self.show_pinhole();
-        Ok(Changed::Mesh)
+        self.change_photos(|face, edit_options| face.set_photo_lens(lens, edit_options))
     }
 
     pub(super) fn new_mesh(&mut self) {

@@ -28,7 +28,7 @@ const ASIDE: f64 = 0.9;
 
 /// The photo on the stage, and edits of the photo alone.
 impl Session {
-    /// Shows the photo's camera and plane, in which mesh and photo coincide.
+    /// Shows the photo's camera and plane, in which the mesh matches the photo.
     pub(super) fn show_pinhole(&mut self) {
         // The live preview sets them with each frame.
         if self.live_preview.is_some() {
