@@ -38,6 +38,12 @@ def test_accepts_the_command_lines_options(portrait, command_line, tmp_path):
     assert made == (tmp_path / "face.glb").read_bytes()
 
 
+def test_a_card_measures_the_face_as_on_the_command_line(portrait, command_line, tmp_path):
+    corners = "150,230 290,230 290,318 150,318"
+    command_line("mesh", portrait, "-o", tmp_path / "face.json", "--card-px", corners)
+    assert rosto.mesh(portrait, card_px=corners).to_bytes("json") == (tmp_path / "face.json").read_bytes()
+
+
 def test_arrays_are_consistent_and_the_landmark_moves_by_its_offset(portrait):
     rest, moved = rosto.mesh(portrait), rosto.mesh(portrait, [rosto.Vertex(1, (0, 0, 5))], constraint="exact")
     assert rest.positions_m.shape == (7257, 3) and rest.colours.shape == (7257, 3) and rest.uvs.shape == (7257, 2)
@@ -101,6 +107,8 @@ def test_several_images_of_one_head_give_one_face(portrait, pixels):
         (lambda photo: rosto.mesh(photo).to_bytes("json", units="image"), ["image coordinates", '"mm"']),
         (lambda photo: rosto.mesh(np.zeros((64, 64, 3), np.uint8)), ["no face", "tenth of the picture"]),
         (lambda photo: rosto.mesh(b"plain text"), ["not a picture"]),
+        (lambda photo: rosto.mesh(photo, card_px="1,2 3,4"), ["four corners in px"]),
+        (lambda photo: rosto.mesh([photo] * 2, card_px="150,230 290,230 290,318 150,318"), ["a card is in one photo"]),
         (lambda photo: rosto.mesh([photo] * 6), ["6 photos of one face; give 1 to 5"]),
     ],
 )

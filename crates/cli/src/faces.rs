@@ -60,13 +60,9 @@ pub fn observed(
     let (mut observations, mut notes) = (Vec::new(), Vec::new());
     for (path, photo) in photos {
         let (landmarks, its_notes) = first(photo, path, finder, find)?;
-        let sides = [photo.width(), photo.height()].map(f64::from);
-        let card = camera.card_px.map(|card| card.map(|[x, y]| [x / sides[0], y / sides[1]]));
-        let observation = Observation::in_photo(photo, landmarks).with_card(card);
-        observations.push(match camera.lens() {
-            Some(lens) => observation.with_lens(lens),
-            None => observation,
-        });
+        let observation = Observation::in_photo(photo, landmarks);
+        let observation = camera.lens().into_iter().fold(observation, Observation::with_lens);
+        observations.push(camera.card_px.into_iter().fold(observation, Observation::with_card_px));
         notes.extend(its_notes);
     }
     Ok((observations, notes))

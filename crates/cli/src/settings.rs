@@ -1,5 +1,5 @@
 use glam::DVec2;
-use rosto_face::{CardCorners, DISTANCES_M, PhotoLens};
+use rosto_face::{DISTANCES_M, PhotoLens};
 use rosto_studio::FALLOFF_BAND_SHARES;
 use rosto_warp::Dab;
 
@@ -15,15 +15,6 @@ pub fn distance(text: &str) -> Result<PhotoLens, String> {
     let lens = distance_m.and_then(|distance_m| PhotoLens::Distance(distance_m).checked().ok());
     let [least, most] = [DISTANCES_M.start(), DISTANCES_M.end()].map(|metres| CM_PER_M * metres);
     lens.ok_or_else(|| format!("expected a distance from {least} to {most} cm"))
-}
-
-/// Parses the four corners of a card, in px.
-pub fn card_px(text: &str) -> Result<CardCorners, String> {
-    let number = |text: &str| text.parse::<f64>().ok().filter(|number| number.is_finite());
-    let corner = |text: &str| text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
-    let corners: Option<Vec<[f64; 2]>> = text.split_whitespace().map(corner).collect();
-    let corners = corners.and_then(|corners| CardCorners::try_from(corners).ok());
-    corners.ok_or_else(|| "expected four corners in px, such as \"10,20 95,20 95,74 10,74\"".to_owned())
 }
 
 /// Parses a viewing distance in cm; returns metres.

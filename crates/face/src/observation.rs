@@ -64,9 +64,10 @@ impl Observation {
         Self { lens, ..self }
     }
 
-    /// The observation with the corners of a card.
-    pub fn with_card(self, card: Option<CardCorners>) -> Self {
-        Self { card, ..self }
+    /// The observation with the corners of a card, in px of the upright photo from its top left.
+    pub fn with_card_px(self, corners_px: [[f64; 2]; 4]) -> Self {
+        let [width, height] = self.photo_size_px.map(f64::from);
+        Self { card: Some(corners_px.map(|[x, y]| [x / width, y / height])), ..self }
     }
 
     /// Checks counts, lenses, and that the landmarks form a face.

@@ -32,7 +32,7 @@ fn photo(head: &[DVec3], distance_m: f64, focal_px: f64, card: Option<CardCorner
     };
     let landmarks: Vec<[f32; 3]> = head.iter().map(landmark).collect();
     let lens_mm = focal_px * 36_f64.hypot(24.0) / f64::from(SIZE_PX[0]).hypot(f64::from(SIZE_PX[1]));
-    observed(&landmarks, SIZE_PX, PhotoLens::Given(lens_mm)).with_card(card)
+    Observation { card, ..observed(&landmarks, SIZE_PX, PhotoLens::Given(lens_mm)) }
 }
 
 /// A card that touches a landmark with its middle, tilted, with its corners in any order.
@@ -73,6 +73,13 @@ proptest! {
         let stored = photo(&head(1.0, 0.5), 0.5, 1000.0, Some(corners));
         prop_assert_eq!(Observation::from_bytes(&stored.to_bytes()).unwrap().card, Some(corners));
     }
+}
+
+#[test]
+fn corners_in_px_are_those_of_the_upright_photo() {
+    let photo = photo(&head(1.0, 0.5), 0.5, 1000.0, None);
+    let marked = photo.with_card_px([[0.0, 0.0], [900.0, 0.0], [900.0, 600.0], [0.0, 1200.0]]);
+    assert_eq!(marked.card, Some([[0.0, 0.0], [1.0, 0.0], [1.0, 0.5], [0.0, 1.0]]));
 }
 
 #[test]

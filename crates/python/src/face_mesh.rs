@@ -35,14 +35,17 @@ impl FaceMesh {
         options: Named<'_>,
     ) -> PyResult<Self> {
         guarded("photo", || {
-            let Options { mut request, settings, lens, file, .. } = Options::new(options)?;
+            let Options { mut request, settings, lens, card_px, file, .. } = Options::new(options)?;
+            if card_px.is_some() && photos.len() > 1 {
+                return Err(refused("card_px: a card is in one photo; give only this photo"));
+            }
             let (moves, others): (Vec<Edit>, Vec<Edit>) = edits.into_iter().partition(Edit::is_move);
             let commands = |edits: Vec<Edit>| edits.into_iter().map(Edit::command).collect::<PyResult<Vec<Command>>>();
             request.add_moves(commands(moves)?, &settings);
             request.edits.extend(commands(others)?);
             let photos: Vec<rosto::Photo> = photos.iter().map(|photo| photo.0.clone()).collect();
             let found = py.detach(|| {
-                let photos = observed(&photos, finder, thorough, lens)?;
+                let photos = observed(&photos, finder, thorough, (lens, card_px))?;
                 MeshRequest { photos, ..request.clone() }.open()
             });
             Ok(Self { mesh: Mutex::new(found.map_err(refused_request)?), request, file })
@@ -96,18 +99,22 @@ impl FaceMesh {
     }
 }
 
-/// Observes the first face in each photo, with the given lens or its own.
+/// Observes the first face in each photo, with the given lens or its own, and the given card.
 fn observed(
     photos: &[rosto::Photo],
     finder: &Finder,
     thorough: bool,
-    lens: Option<PhotoLens>,
+    (lens, card_px): (Option<PhotoLens>, Option<[[f64; 2]; 4]>),
 ) -> Result<Vec<Observation>, rosto::Error> {
     if !(1..=MAX_PHOTOS).contains(&photos.len()) {
         return Err(FaceError::PhotoCount { found: photos.len(), most: MAX_PHOTOS }.into());
     }
     let found = MeshRequest::found_in(photos, &finder.0, &options_of(thorough, None))?.photos.into_iter();
-    Ok(found.map(|photo| Observation { lens: lens.unwrap_or(photo.lens), ..photo }).collect())
+    let given = |photo: Observation| {
+        let photo = lens.into_iter().fold(photo, Observation::with_lens);
+        card_px.into_iter().fold(photo, Observation::with_card_px)
+    };
+    Ok(found.map(given).collect())
 }
 
 fn unknown_format(name: &str) -> PyErr {

@@ -2,7 +2,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyString;
 use rosto::{
     AnchorKind, Details, ExportOption, FileOptions, MeshRequest, Mirror, Operator, PhotoLens, RegionOfInfluence,
-    Settings, Triangulation, Units, anchor_rule, constraint,
+    Settings, Triangulation, Units, anchor_rule, card_px, constraint,
 };
 
 use crate::edits::{M_PER_MM, chosen};
@@ -19,6 +19,8 @@ pub struct Options {
     pub request: MeshRequest,
     pub settings: Settings,
     pub lens: Option<PhotoLens>,
+    /// Corners of a card in px.
+    pub card_px: Option<[[f64; 2]; 4]>,
     pub file: OptionsOfFile,
     seed: u64,
 }
@@ -36,7 +38,7 @@ impl Options {
         let mut settings = Settings::default();
         settings.anchors.kind = AnchorKind::Random { seed: 0 };
         let (request, file) = (MeshRequest::of(Vec::new()), OptionsOfFile::default());
-        let mut options = Self { request, settings, lens: None, file, seed: 0 };
+        let mut options = Self { request, settings, lens: None, card_px: None, file, seed: 0 };
         named.iter().try_for_each(|(name, value)| options.set(name, value))?;
         if let AnchorKind::Random { seed } = &mut options.settings.anchors.kind {
             *seed = options.seed;
@@ -53,6 +55,7 @@ impl Options {
             "density" => self.request.density = whole(name, value)?.try_into().unwrap_or(u32::MAX),
             "distance" => self.lens = Some(PhotoLens::Distance(number(name, value)? / CM_PER_M)),
             "focal_35mm" => self.lens = Some(PhotoLens::Given(number(name, value)?)),
+            "card_px" => self.card_px = Some(card_px(&text(value)?).map_err(refused)?),
             "operator" => settings.operator = chosen("operator", &text(value)?, Operator::ALL, Operator::id)?,
             "constraint" => settings.constraint = constraint(&text(value)?).map_err(refused)?,
             "anchors" => {

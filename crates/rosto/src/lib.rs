@@ -25,7 +25,7 @@ pub use photo_edit::{MAX_DABS, PhotoEdit};
 pub use photo_request::{EditedPhoto, PhotoRequest};
 #[cfg(feature = "find")]
 pub use remarks::{PhotoRemark, quality};
-pub use settings::{anchor_rule, constraint};
+pub use settings::{anchor_rule, card_px, constraint};
 
 pub use rosto_export::{
     BaseColour, ExportOption, ExportedFile, Eyes, FileKind, Format, Material, Print, PrintHeight, PrintPose,

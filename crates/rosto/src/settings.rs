@@ -34,6 +34,18 @@ pub fn constraint(text: &str) -> Result<ConstraintKind, Error> {
     }
 }
 
+/// Parses the corners of a card in any order, in px of the upright photo: `10,20 95,20 95,74 10,74`.
+///
+/// # Errors
+/// [`Error::Invalid`].
+pub fn card_px(text: &str) -> Result<[[f64; 2]; 4], Error> {
+    let number = |text: &str| text.parse::<f64>().ok().filter(|number| number.is_finite());
+    let corner = |text: &str| text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
+    let corners: Option<Vec<[f64; 2]>> = text.split_whitespace().map(corner).collect();
+    let corners = corners.and_then(|corners| corners.try_into().ok());
+    corners.ok_or_else(|| Error::invalid("card-px", text, "four corners in px, such as 10,20 95,20 95,74 10,74"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

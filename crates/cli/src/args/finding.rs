@@ -1,6 +1,6 @@
 use clap::Args;
 use rosto::networks::Landmarks;
-use rosto_face::{CardCorners, PhotoLens};
+use rosto_face::PhotoLens;
 use rosto_landmarks::FindOptions;
 
 use crate::settings;
@@ -19,8 +19,8 @@ pub struct CameraArguments {
     /// Corners of a bank card held flat against the forehead or the chin, in px of the upright photo: it measures the face
     ///
     /// Four corners in any order, such as "812,340 1204,352 1196,600 806,588".
-    #[arg(long, value_name = "X,Y X,Y X,Y X,Y", value_parser = settings::card_px)]
-    pub card_px: Option<CardCorners>,
+    #[arg(long, value_name = "X,Y X,Y X,Y X,Y", value_parser = rosto::card_px)]
+    pub card_px: Option<[[f64; 2]; 4]>,
 }
 
 impl CameraArguments {

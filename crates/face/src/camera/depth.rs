@@ -9,7 +9,7 @@ use crate::{FaceError, LANDMARK_COUNT, Triangulation, canonical_positions_m};
 const WEIGHT: f64 = 60.0;
 
 /// Share of a landmark's offset from the canonical face that is a slide along the surface; the rest is the shape of
-/// this face. Measured on heads of known shape; 0.45 ± 0.05 between them.
+/// this face. Measured on heads of known shape.
 const SLIDE: f64 = 0.5;
 /// Smallest cosine between normal and view direction with which a slide is converted to a depth.
 const MIN_COSINE: f64 = 0.35;
@@ -42,9 +42,9 @@ impl CanonicalShape {
     /// Regularises detected depths. `canonical` is the canonical face fitted to the landmarks, `aside` the offset of
     /// each landmark from it in the picture, at the canonical depth; all in px.
     ///
-    /// The differences from the canonical depths minimise `|x − (found − c)|² + w |L x|²`, where L is the random-walk
-    /// graph Laplacian: the δ-coordinates are drawn to those of the canonical face. A landmark that slid along the
-    /// surface to another place gets the depth of that place.
+    /// The differences from the canonical depths c minimise `|x − (found − c + s)|² + w |L x|²`, where L is the
+    /// random-walk graph Laplacian: the δ-coordinates are drawn to those of the canonical face. A landmark that slid
+    /// along the surface to another place gets the depth of that place, which differs by s.
     ///
     /// # Errors
     /// [`FaceError::Degenerate`] if a depth is not finite.

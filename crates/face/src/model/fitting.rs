@@ -2,23 +2,14 @@
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::observed::{fit_canonical_to, in_px, px_from_image};
+use super::observed::{PhotoInput, fit_canonical_to, in_px, px_from_image};
 use super::turned;
 use crate::camera::{self, Camera, CanonicalShape, Distance, PARALLEL_M};
 use crate::irises::{MIDDLE_OF_LIDS, POINTS_OF_AN_IRIS};
 use crate::photo_lens::DISTANCES_M;
 use crate::procrustes::Similarity;
 use crate::size::{self, Scale};
-use crate::{CardCorners, FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m, card};
-
-/// Facts about one photo.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct PhotoInput<'a> {
-    pub(super) landmarks: &'a [[f32; 3]],
-    pub(super) size_px: [u32; 2],
-    pub(super) lens: PhotoLens,
-    pub(super) card: Option<CardCorners>,
-}
+use crate::{FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m, card};
 
 /// Landmarks in the model's frame, with the camera.
 #[derive(Clone)]
@@ -75,7 +66,7 @@ impl Observation {
         let px_from_model = fit_canonical_to(&landmarks_px)?;
         let shape = CanonicalShape::new()?;
         let corner_px = |[x, y]: [f64; 2]| DVec2::new(x - 0.5, 0.5 - y) * DVec2::from(size_px.map(f64::from));
-        let card_px = card.map(|card: CardCorners| card.map(corner_px));
+        let card_px = card.map(|card| card.map(corner_px));
         Ok(Self { landmarks_px, px_from_model, size_px, principal_px, card_px, shape })
     }
 

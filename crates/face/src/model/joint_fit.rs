@@ -10,7 +10,8 @@ mod other_view;
 mod rays;
 mod weights;
 
-use super::fitting::{Fitted, Observation, PhotoInput};
+use super::fitting::{Fitted, Observation};
+use super::observed::PhotoInput;
 use crate::FaceError;
 use crate::camera::Camera;
 pub use bias::depth_bias_m;

@@ -1,11 +1,20 @@
-//! Conversion of landmarks to px, and the fit of the canonical face to them.
+//! Facts about one photo, the conversion of its landmarks to px, and the fit of the canonical face to them.
 
 use glam::{DAffine3, DVec3};
 
 use crate::irises::POINT_COUNT;
 use crate::procrustes::{self, Pair, Similarity};
 use crate::tables::PROCRUSTES;
-use crate::{FaceError, LANDMARK_COUNT, canonical_positions_m};
+use crate::{CardCorners, FaceError, LANDMARK_COUNT, PhotoLens, canonical_positions_m};
+
+/// Facts about one photo.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PhotoInput<'a> {
+    pub(super) landmarks: &'a [[f32; 3]],
+    pub(super) size_px: [u32; 2],
+    pub(super) lens: PhotoLens,
+    pub(super) card: Option<CardCorners>,
+}
 
 /// Checks whether landmarks found in a picture of `width` × `height` px are accepted by
 /// [`FaceModel::new`](crate::FaceModel::new).

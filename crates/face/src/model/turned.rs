@@ -27,7 +27,7 @@ const MIN_COSINE: f64 = 0.3;
 /// Outward displacement in mm that corrects a part of a face turned by 30°, on the near and on the far side.
 ///
 /// For each head of known shape, differences between its turned and its frontal photos; means over fifteen synthetic
-/// heads, with which they vary by 0.1 to 0.2. Their mean shape does not enter (`tests/reference/heads.py`).
+/// heads, between which they vary by 0.1 to 0.2. Their mean shape does not enter (`tests/reference/heads.py`).
 fn correction_mm(area: Area) -> [f64; 2] {
     match area {
         Area::Brow => [0.8, -0.2],

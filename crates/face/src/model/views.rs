@@ -2,9 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::fitting::{Fitted, PhotoInput};
+use super::fitting::Fitted;
 use super::joint_fit::{self, JointFit, LeftOut, Reprojection};
-use super::{FaceModel, check_count};
+use super::{FaceModel, PhotoInput, check_count};
 use crate::camera::Camera;
 use crate::{
     CardCorners, FaceError, LANDMARK_COUNT, MAX_PICTURE_SIDE_PX, Observation, Photo, PhotoLens, Triangulation,
