@@ -1,4 +1,4 @@
-"""Requests of tests/requests.json, described in crates/cli/tests/requests.rs: the command line writes the same bytes."""
+"""Requests of tests/requests.json, described in crates/cli/tests/program/requests.rs: the command line writes the same bytes."""
 
 import json
 from pathlib import Path
