@@ -59,13 +59,13 @@ impl CliError {
                 Some("The disk is full: free some space, or write to another disk.")
             }
             Self::NetworksMissing { .. } => Some(
-                "Run `cargo xtask setup` in the source tree and build again, or pass their folder with --networks.",
+                "Run `cargo xtask networks` in the source tree and build again, or pass their folder with --networks.",
             ),
             Self::NetworkMissing { .. } | Self::NetworkUnreadable { .. } => {
-                Some("Run `cargo xtask setup` to download both, or pass another folder with --networks.")
+                Some("Run `cargo xtask networks` to download both, or pass another folder with --networks.")
             }
             Self::Networks(_) | Self::NonFiniteLandmark { .. } => {
-                Some("Run `cargo xtask setup` to download them again.")
+                Some("Run `cargo xtask networks` to download them again.")
             }
             _ => None,
         }
