@@ -1,10 +1,17 @@
+/** Chromium 156 reports some changes of the device-pixel ratio neither to an observer nor to a media query. */
+const RATIO_POLL_MS = 250;
+
 /**
  * Follows the size of a canvas in device pixels, also when the device-pixel ratio changes. Returns a function that
  * applies the size again.
  */
 export function followSize(canvas: HTMLCanvasElement, apply: (size_px: [number, number]) => void, signal: AbortSignal) {
   let entry: ResizeObserverEntry | undefined;
-  const fit = () => entry && apply(deviceSize(entry));
+  let ratio = devicePixelRatio;
+  const fit = () => {
+    ratio = devicePixelRatio;
+    if (entry) apply(deviceSize(entry));
+  };
   const observer = new ResizeObserver(([latest]) => {
     entry = latest;
     fit();
@@ -15,12 +22,11 @@ export function followSize(canvas: HTMLCanvasElement, apply: (size_px: [number, 
     // WebKit does not have it.
     observer.observe(canvas);
   }
-  signal.addEventListener("abort", () => observer.disconnect());
-  const followRatio = () => {
-    fit();
-    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", followRatio, { once: true, signal });
-  };
-  followRatio();
+  const timer = setInterval(() => ratio !== devicePixelRatio && fit(), RATIO_POLL_MS);
+  signal.addEventListener("abort", () => {
+    observer.disconnect();
+    clearInterval(timer);
+  });
   return fit;
 }
 
