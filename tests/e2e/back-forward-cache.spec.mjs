@@ -4,7 +4,7 @@ import { inVersion } from "./server.mjs";
 import { test } from "./fixtures.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 
-test("a page restored from the back/forward cache continues its work", { tag: "@way-back" }, async ({ editor, page }) => {
+test("a page restored from the back/forward cache continues its work", { tag: ["@way-back", "@rare"] }, async ({ editor, page }) => {
   await leave(editor);
   assert.ok(await goBack(page), "the page was not in the back/forward cache");
   await expect.poll(async () => (await storedWorks(page)).filter(({ isLocked }) => isLocked).length).toBe(1);

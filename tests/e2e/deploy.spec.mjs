@@ -3,7 +3,7 @@ import { appendFile, cp, readFile, readdir, rename, writeFile } from "node:fs/pr
 import path from "node:path";
 import { expect } from "@playwright/test";
 import { release, UNNAMED } from "../../web/build/release.mjs";
-import { variants, test as base } from "./fixtures.mjs";
+import { test as base } from "./fixtures.mjs";
 import { DIST, versionIn } from "./server.mjs";
 
 /** Workers, which a tab starts again or later. */
@@ -18,8 +18,8 @@ const test = base.extend({
   builds: async ({}, use, testInfo) => use(await Promise.all([1, 2].map((number) => buildOf(number, testInfo.outputPath(String(number)))))),
 });
 
-for (const [[when, needs], tag] of variants([["opened on the first visit", "gpu"], ["opened without WebGPU", "webgl"]])) {
-  test(`after a deploy, a tab ${when} keeps its version, and a new tab has the new one`, { tag: [...tag, `@${needs}`] }, async ({ open, server, builds: [older, newer] }) => {
+for (const [when, needs] of /** @type {const} */ ([["opened on the first visit", "gpu"], ["opened without WebGPU", "webgl"]])) {
+  test(`after a deploy, a tab ${when} keeps its version, and a new tab has the new one`, { tag: ["@rare", `@${needs}`] }, async ({ open, server, builds: [older, newer] }) => {
     await server.deploy(older);
     const old = await open({ serviceWorkers: "allow" });
     await old.untilLoaded();

@@ -8,7 +8,7 @@ test.use({ visit: { expert: true } });
 
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
-test("each display mode changes the view; numeric ones show a legend", { tag: "@eyes" }, async ({ editor, page }) => {
+test("each display mode changes the view; numeric ones show a legend", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   // Without a radius, the influence covers most of the face.
   await editor.reveal("#edit-nearby");
   await page.uncheck("#edit-nearby");

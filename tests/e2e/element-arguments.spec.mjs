@@ -2,7 +2,25 @@
 import assert from "node:assert/strict";
 import { test } from "./element-visitor.mjs";
 
-test("the element refuses arguments of a wrong kind with a code, and goes on without a restart", async ({ openElement }) => {
+/** Calls of the element, and the codes and messages of their refusals. @type {[(face: any) => unknown, code: string, message: RegExp][]} */
+const REFUSALS = [
+  [(face) => face.express(3, 0.5), "bad-choice", /^expression is 3; use one of .*jawOpen/],
+  [(face) => face.express("jawOpen", "0.5"), "bad-number", /^to is "0.5"; use a finite number$/],
+  [(face) => face.setSlider("ears", 1), "bad-choice", /^slider is "ears"; use one of .*nose-width/],
+  [(face) => face.getFile(7), "bad-choice", /^format is 7; use one of glb, /],
+  [(face) => face.getFile("stl", { solid: 3 }), "bad-choice", /^choices.solid is 3; use a string$/],
+  [(face) => face.moveLandmark(undefined, [0, 0, 1]), "bad-number", /^landmark is undefined; use an integer from 0, below 468$/],
+  [(face) => face.moveLandmark(1, "123"), "bad-number", /^offset_mm is "123"; use \[x, y, z\]$/],
+  [(face) => face.moveLandmark(1, [0, 1]), "bad-number", /^length of offset_mm is 2; use 3$/],
+  [(face) => face.moveLandmark(1, [0, 0, Number.NaN]), "bad-number", /^offset_mm\.2 is NaN; use a finite number$/],
+  [(face) => face.openFace(1), "bad-number", /^index is 1; use an integer from 0, below 1$/],
+  [(face) => face.open(7), "bad-choice", /^photo is 7; use a Blob or an address$/],
+  [(face) => face.apply({ zoom: "2" }), "bad-number", /expected f64/],
+  [(face) => face.apply({ zoom: Infinity }), "bad-number", /^intent.zoom is Infinity; use a finite number$/],
+  [(face) => (face.src = 7), "bad-choice", /^src is 7; use a string$/],
+];
+
+test("the element refuses arguments of a wrong kind with a code and the allowed values, and goes on without a restart", async ({ openElement }) => {
   const visitor = await openElement({ body: `<rosto-studio src="portrait.png" density="0"></rosto-studio><rosto-studio></rosto-studio>` });
   await visitor.until("rosto-ready", 2);
   await visitor.until("rosto-face");
@@ -13,6 +31,12 @@ test("the element refuses arguments of a wrong kind with a code, and goes on wit
   assert.ok(outcomes.length > 300, `${outcomes.length} calls`);
   assert.equal(edits, 1, "a refused call has edited the face");
 
+  for (const [call, code, message] of REFUSALS) {
+    const thrown = await visitor.thrown(call);
+    assert.equal(thrown.code, code, String(call));
+    assert.match(thrown.message, message);
+  }
+
   await visitor.act((face) => face.express("jawOpen", 0.5));
   await visitor.act((face) => face.moveLandmark(1, [0, 0, 6]));
   assert.equal((await visitor.state()).edits, 3);
@@ -20,33 +44,6 @@ test("the element refuses arguments of a wrong kind with a code, and goes on wit
   assert.equal(visitor.page.workers().length, 1);
   assert.equal(await visitor.page.evaluate("hooked.calls.length"), 1, "the module has restarted");
   assert.ok(!(await visitor.page.evaluate("elementEvents")).some(({ detail }) => detail?.code === "restarted"));
-});
-
-test("a refusal names the given and the allowed values", async ({ openElement }) => {
-  const visitor = await openElement({ body: `<rosto-studio src="portrait.png" density="0"></rosto-studio>` });
-  await visitor.until("rosto-face");
-  /** @type {[(face: any) => unknown, code: string, message: RegExp][]} */
-  const cases = [
-    [(face) => face.express(3, 0.5), "bad-choice", /^expression is 3; use one of .*jawOpen/],
-    [(face) => face.express("jawOpen", "0.5"), "bad-number", /^to is "0.5"; use a finite number$/],
-    [(face) => face.setSlider("ears", 1), "bad-choice", /^slider is "ears"; use one of .*nose-width/],
-    [(face) => face.getFile(7), "bad-choice", /^format is 7; use one of glb, /],
-    [(face) => face.getFile("stl", { solid: 3 }), "bad-choice", /^choices.solid is 3; use a string$/],
-    [(face) => face.moveLandmark(undefined, [0, 0, 1]), "bad-number", /^landmark is undefined; use an integer from 0, below 468$/],
-    [(face) => face.moveLandmark(1, "123"), "bad-number", /^offset_mm is "123"; use \[x, y, z\]$/],
-    [(face) => face.moveLandmark(1, [0, 1]), "bad-number", /^length of offset_mm is 2; use 3$/],
-    [(face) => face.moveLandmark(1, [0, 0, Number.NaN]), "bad-number", /^offset_mm\.2 is NaN; use a finite number$/],
-    [(face) => face.openFace(1), "bad-number", /^index is 1; use an integer from 0, below 1$/],
-    [(face) => face.open(7), "bad-choice", /^photo is 7; use a Blob or an address$/],
-    [(face) => face.apply({ zoom: "2" }), "bad-number", /expected f64/],
-    [(face) => face.apply({ zoom: Infinity }), "bad-number", /^intent.zoom is Infinity; use a finite number$/],
-    [(face) => (face.src = 7), "bad-choice", /^src is 7; use a string$/],
-  ];
-  for (const [call, code, message] of cases) {
-    const thrown = await visitor.thrown(call);
-    assert.equal(thrown.code, code, String(call));
-    assert.match(thrown.message, message);
-  }
 });
 
 /** Runs in the page: calls each member of the element with values of wrong kinds. @param {any} face */

@@ -51,22 +51,3 @@ test("an expression is visible, can be undone, survives a reload, and becomes a 
   assert.deepEqual(extras.targetNames.filter((_, place) => weights[place] !== 0), ["jawOpen"]);
   assert.equal(weights[extras.targetNames.indexOf("jawOpen")], 0.6);
 });
-
-test("both sides can move together or apart, and reset is one undo step", { tag: "@rare" }, async ({ editor, page }) => {
-  const shape = await editor.meshJson("mm");
-  await editor.unfold("section-expressions");
-  await page.check("#expressions-both");
-  await express(editor, "mouthSmileLeft", 50);
-  assert.deepEqual(await editor.history(), ["Smile, right", "Smile, left"]);
-  assert.ok(await page.isHidden("#expression-mouthSmileRight"));
-  await page.uncheck("#expressions-both");
-  await express(editor, "mouthSmileRight", 20);
-  assert.equal(await fieldOf(editor, "mouthSmileLeft").inputValue(), "50");
-  assert.equal(await fieldOf(editor, "mouthSmileRight").inputValue(), "20");
-  const smiling = await editor.meshJson("mm");
-  await editor.unfold("section-expressions");
-  await page.click("[data-action='expressions.rest']");
-  assert.ok(maxDisplacement(shape, await editor.meshJson("mm")) < 1e-9);
-  await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await editor.meshJson("mm"), smiling);
-});

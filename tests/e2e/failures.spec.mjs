@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 import { crashBefore, recordGpus } from "./page-scripts.mjs";
 
@@ -28,7 +28,7 @@ async function failToSave(visitor, action) {
   return notice;
 }
 
-test("the open work stays when memory runs out while another file opens", async ({ visitor, page }) => {
+test("the open work stays when memory runs out while another file opens", { tag: "@rare" }, async ({ visitor, page }) => {
   const mesh = await work(visitor);
   await page.evaluate(() => {
     const create = globalThis.createImageBitmap;
@@ -45,12 +45,12 @@ test("the open work stays when memory runs out while another file opens", async 
   await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
 });
 
-for (const [{ loss, lose, label, code }, tag] of variants([
+for (const { loss, lose, label, code } of [
   { loss: "the GPU", lose: loseGpu, code: "not-drawn" },
   { loss: "memory for the picture", lose: starve, label: "still", code: "no-memory" },
   { loss: "memory for the render target", lose: starve, label: "attachment", code: "no-memory" },
-])) {
-  test(`a picture that fails because ${loss} is lost is not saved, and the notice stays until dismissed`, { tag }, async ({ visitor, page }) => {
+]) {
+  test(`a picture that fails because ${loss} is lost is not saved, and the notice stays until dismissed`, { tag: "@rare" }, async ({ visitor, page }) => {
     const mesh = await work(visitor);
     const gpus = await page.evaluate("gpus.length");
     await page.evaluate(lose, label);
@@ -67,11 +67,11 @@ for (const [{ loss, lose, label, code }, tag] of variants([
   });
 }
 
-for (const [{ reply, action, code }, tag] of variants([
+for (const { reply, action, code } of [
   { reply: "edited-photo", action: "download-photo-png", code: "photo-not-written" },
   { reply: "write", action: "download-glb", code: "file-not-written" },
-])) {
-  test(`the notice names the right task if the worker crashes before the reply ${reply}`, { tag }, async ({ visitor, page }) => {
+]) {
+  test(`the notice names the right task if the worker crashes before the reply ${reply}`, { tag: "@rare" }, async ({ visitor, page }) => {
     await visitor.untilLoaded();
     const mesh = await work(visitor);
     await Promise.all(page.workers().map((worker) => worker.evaluate(crashBefore, reply)));

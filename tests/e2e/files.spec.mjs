@@ -68,13 +68,16 @@ test("a middle drag turns the face and pastes nothing, and Ctrl V of text shows 
   const visitor = await open({ scripts: [recordMiddleButton], permissions: ["clipboard-read", "clipboard-write"] });
   const { page } = visitor;
   await visitor.openFace();
-  const from = await visitor.emptyPoint();
-  await page.mouse.move(from.x, from.y);
+  await visitor.findLandmark("nose tip");
+  const tip = await visitor.selectionPosition();
+  await page.focus("#viewport");
+  await page.mouse.move(tip.x, tip.y);
   await page.mouse.down({ button: "middle" });
-  await page.mouse.move(from.x + 40, from.y, { steps: 4 });
+  await page.mouse.move(tip.x + 60, tip.y, { steps: 4 });
   await page.mouse.up({ button: "middle" });
+  assert.ok(Math.abs((await visitor.selectionPosition()).x - tip.x) > 5, "the face was not turned");
   // On Linux, a release that is not prevented pastes the selected text.
-  assert.deepEqual(await page.evaluate(() => window.middleButton), [["mousedown", true], ["auxclick", true]]);
+  assert.deepEqual(await page.evaluate(() => window.middleButton), [["mousedown", true], ["mouseup", true], ["auxclick", true]]);
   await bring(page, "paste", [], { "text/plain": "selected elsewhere" });
   await visitor.frames(3);
   assert.ok(await page.isHidden("#notice"));
@@ -96,7 +99,7 @@ test("the file choosers offer HEIC photos, which open where the browser decodes 
   assert.match(text, /Most Compatible/);
 });
 
-test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
+test("a dropped folder shows a notice", { tag: "@rare" }, async ({ visitor }, testInfo) => {
   await visitor.untilInteractive();
   const photos = testInfo.outputPath("photos.png");
   await mkdir(photos);
@@ -107,7 +110,7 @@ test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
   await visitor.page.waitForSelector("#notice", { state: "hidden" });
 });
 
-test("a file of gigabytes is reported as too large, at the worker's limit", async ({ visitor, page }, testInfo) => {
+test("a file of gigabytes is reported as too large, at the worker's limit", { tag: "@rare" }, async ({ visitor, page }, testInfo) => {
   await visitor.untilInteractive();
   for (const [bytes, code, start] of /** @type {const} */ ([
     [3 * 2 ** 30, "too-many-bytes", ""],
@@ -130,7 +133,7 @@ test("a file of gigabytes is reported as too large, at the worker's limit", asyn
 /** Runs in the page before its own scripts: records the middle button's events on the stage, and whether they are prevented. */
 function recordMiddleButton() {
   window.middleButton = [];
-  for (const type of ["mousedown", "auxclick"]) {
+  for (const type of ["mousedown", "mouseup", "auxclick"]) {
     addEventListener(type, (event) => event.button === 1 && window.middleButton.push([type, event.defaultPrevented]));
   }
 }

@@ -31,7 +31,7 @@ test("on touch devices the hint mentions fingers", { tag: "@rare" }, async ({ op
   assert.match(await visitor.page.innerText("#hint"), /two fingers/);
 });
 
-test("one second after a drag, nothing covers the face", async ({ editor, page }) => {
+test("one second after a drag, nothing covers the face", { tag: "@rare" }, async ({ editor, page }) => {
   const nose = await editor.landmarkPosition(1);
   const opacity = () => page.locator("#landmark-tag").evaluate((tag) => Number(getComputedStyle(tag).opacity));
   await editor.grab(nose, { x: 4, y: -12 });
@@ -63,7 +63,7 @@ test("a pointer that rests on the face does not keep the page drawing", async ({
 });
 
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {
-  test(`before a photo opens, only the wireframe covers the background: ${drawn}`, { tag: `@${needs}` }, async ({ open }) => {
+  test(`before a photo opens, only the wireframe covers the background: ${drawn}`, { tag: ["@rare", `@${needs}`] }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });
     await visitor.untilLoaded();
     const { data, width, height } = await visitor.view();
@@ -77,7 +77,7 @@ for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2
 
 for (const [reducedMotion, moves] of /** @type {const} */ ([["no-preference", true], ["reduce", false]])) {
   const verb = moves ? "turns slowly" : "keeps still";
-  test(`with ${reducedMotion} for motion, the empty face ${verb}`, { tag: "@eyes" }, async ({ open }) => {
+  test(`with ${reducedMotion} for motion, the empty face ${verb}`, { tag: ["@eyes", "@rare"] }, async ({ open }) => {
     const visitor = await open({ reducedMotion });
     await visitor.untilLoaded();
     const shot = async () => PNG.sync.read(await visitor.page.locator("#viewport").screenshot());

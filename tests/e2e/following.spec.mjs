@@ -29,7 +29,7 @@ const test = base.extend({
   },
 });
 
-test("tracking a camera's face is accurate at rest and does not lag in motion", { tag: "@moving-camera" }, async ({ following }) => {
+test("tracking a camera's face is accurate at rest and does not lag in motion", { tag: ["@moving-camera", "@rare"] }, async ({ following }) => {
   const seen = await following.evaluate(({ watch }, duration_ms) => watch(duration_ms), WATCHED_MS);
   assert.ok(seen.length > 30, `${seen.length} frames in ${WATCHED_MS} ms`);
   for (const { number, landmarks_px, answersMeanwhile } of seen) {

@@ -64,7 +64,7 @@ test("the photo can be viewed from further away, from nearer, and as taken", { t
   assert.equal(difference(await photoOf(editor), await sample()), 0);
 });
 
-test("a transparent photo stays transparent as PNG, and becomes white as JPEG", async ({ visitor }) => {
+test("a transparent photo stays transparent as PNG, and becomes white as JPEG", { tag: "@rare" }, async ({ visitor }) => {
   const before = await sample();
   for (let pixel = 0; pixel < before.width * before.height; pixel++) {
     if (pixel % before.width >= before.width - 100) before.data[4 * pixel + 3] = 0;
@@ -78,7 +78,7 @@ test("a transparent photo stays transparent as PNG, and becomes white as JPEG", 
   assert.ok(Math.min(...colour) > 250, `${colour}`);
 });
 
-test("a 12-megapixel photo is saved at full size, upright and without EXIF data", async ({ visitor, page }) => {
+test("a 12-megapixel photo is saved at full size, upright and without EXIF data", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.drop(withExif(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 })), "selfie.jpg");
   await visitor.untilFace();
   const before = await photoOf(visitor);

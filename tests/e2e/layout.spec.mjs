@@ -12,7 +12,7 @@ const SEEN_SMALL = STATES.filter(({ id }) => ["empty", "working", "arrived", "se
 
 const WINDOWS = [
   ...variants(WINDOW_SIZES.map(({ options }) => ({ ...options, states: STATES }))),
-  ...variants(SMALL.map((viewport) => ({ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }))),
+  ...SMALL.map((viewport) => [{ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }, ["@rare"]]),
 ];
 
 for (const [{ states, ...options }, tag] of WINDOWS) {
@@ -53,7 +53,7 @@ const FAULTS = [
   ["scrolls sideways", "#section-photo", "width: 400px", /#sections scrolls sideways by/],
 ];
 
-test("each kind of layout fault is found", async ({ open }) => {
+test("each kind of layout fault is found", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 1280, height: 800 } });
   const { page } = visitor;
   await visitor.openFace();

@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-for (const [what, tag] of variants(["photo", "project"])) {
-  test(`a ${what} is saved even if the page is left as soon as its face is shown`, { tag }, async ({ visitor, page, project }) => {
+for (const what of ["photo", "project"]) {
+  test(`a ${what} is saved even if the page is left as soon as its face is shown`, { tag: "@rare" }, async ({ visitor, page, project }) => {
     await visitor.untilLoaded();
     await page.evaluate(leaveOnceShown);
     const left = page.waitForEvent("framenavigated");

@@ -20,7 +20,7 @@ const LAG_S = 0.06;
 
 test.use({ visit: { expert: true, scripts: [recordCamera, watchFrames] } });
 
-test("the live preview mirrors the camera and shows the edits on the face", { tag: "@seen-camera" }, async ({ visitor, page }) => {
+test("the live preview mirrors the camera and shows the edits on the face", { tag: ["@seen-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.setSlider("nose-width", NOSE_MM);
   await openLivePreview(visitor);
@@ -139,7 +139,7 @@ test("a refused or unplugged camera closes the live preview with a notice", { ta
   await page.waitForFunction(() => document.body.dataset.scene === "solid");
 });
 
-test("a live preview closed while it starts, or that cannot play or read a frame, leaves no unhandled rejection", { tag: "@moving-camera" }, async ({ visitor, page }) => {
+test("a live preview closed while it starts, or that cannot play or read a frame, leaves no unhandled rejection", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   for (let time = 0; time < 3; time += 1) {
     await page.click("#welcome [data-action='live-preview']");

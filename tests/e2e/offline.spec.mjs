@@ -23,7 +23,7 @@ const FAULTS = {
   "sends an HTML page for each file": (name, response) => name !== "" && send(response, 200, "<title>Welcome aboard</title>"),
 };
 
-for (const [[what, interceptor], tag] of [[["is unreachable"], []], ...variants(Object.entries(FAULTS))]) {
+for (const [[what, interceptor], tag] of variants([["is unreachable"], ...Object.entries(FAULTS)])) {
   test(`the stored page works with a server that ${what}`, { tag }, async ({ visitor, page, server }) => {
     await visitor.untilLoaded();
     server.intercept(interceptor);
@@ -75,7 +75,7 @@ test("a page of a newer version loads its files from the network, or reports tha
   assert.ok(await page.isHidden("#not-started"));
 });
 
-test("a file that differs from the build is not stored", async ({ open, server }) => {
+test("a file that differs from the build is not stored", { tag: "@rare" }, async ({ open, server }) => {
   const icon = await inVersion("rosto-512.png");
   server.intercept((name, response) => name === icon && send(response, 200, "another icon", "image/png"));
   const visitor = await open();

@@ -109,7 +109,7 @@ test("wide windows show photo and 3D face next to each other, and a click on the
   assert.ok(!(await visitor.page.isVisible("#photo-pane")), "the choice is forgotten");
 });
 
-test("areas protected by the brush stay unchanged, have separate undo, and survive a reload", async ({ visitor }) => {
+test("areas protected by the brush stay unchanged and have separate undo", async ({ visitor }) => {
   await photoOnStage(visitor);
   const photo = async () => PNG.sync.read(await visitor.download("download-photo-png"));
   const isOff = (/** @type {string} */ button) => visitor.page.isDisabled(button);
@@ -124,8 +124,6 @@ test("areas protected by the brush stay unchanged, have separate undo, and survi
   const kept = await photo();
   assert.ok(difference(edited, kept) > 0.0005, "the protected area follows the edit");
   assert.deepEqual(await visitor.history(), ["Jaw width"], "the stroke is in the history");
-  await visitor.reloadAndResume();
-  assert.equal(difference(kept, await photo()), 0, "the stroke was lost in the reload");
   await visitor.unfold("section-in-photo");
   await visitor.page.check("#brush", { force: true });
   await visitor.page.focus("#viewport");
@@ -134,20 +132,4 @@ test("areas protected by the brush stay unchanged, have separate undo, and survi
   await visitor.page.uncheck("#brush", { force: true });
   assert.equal(difference(edited, await photo()), 0);
   assert.deepEqual(await visitor.history(), ["Jaw width"]);
-});
-
-test("an edit along the view shows a note that offers a better view", { tag: "@rare" }, async ({ visitor }) => {
-  await photoOnStage(visitor);
-  await visitor.findLandmark("nose tip");
-  assert.ok(await visitor.page.isHidden("#depth"));
-  await visitor.setOffset("y", 3);
-  assert.ok(await visitor.page.isHidden("#depth"), "a visible edit shows the note");
-  await visitor.setOffset("y", 0);
-  await visitor.setOffset("z", 9);
-  assert.ok(await visitor.page.isVisible("#depth"));
-  await visitor.page.click("[data-action='depth.show']");
-  assert.equal(await scene(visitor), "solid");
-  await visitor.frames(3);
-  const [tip, chin] = [await visitor.landmarkPosition(4), await visitor.landmarkPosition(152)];
-  assert.ok(Math.abs(tip.x - chin.x) > 40, "the face is not seen from the side");
 });

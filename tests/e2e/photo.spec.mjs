@@ -3,7 +3,6 @@ import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
 import { meshByCommandLine } from "./command-line.mjs";
 import { test } from "./fixtures.mjs";
-import { chooseFace, openGroup } from "./groups.mjs";
 import { asJpeg, dotted } from "./pictures.mjs";
 import { colourCount, difference, middleOf } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
@@ -21,7 +20,7 @@ const MAX_SHOWN_PX = 640 * 320;
 /** x of the nose in the portrait, as a fraction of the width. */
 const NOSE_IN_PORTRAIT = 0.44;
 
-test("a selfie from the camera opens unmirrored", { tag: "@camera" }, async ({ visitor }) => {
+test("a selfie from the camera opens unmirrored, and is named selfie", { tag: "@camera" }, async ({ visitor }) => {
   await visitor.page.click("#welcome [data-action='camera']");
   const mirrored = await visitor.page.locator("#camera-preview").evaluate((video) => getComputedStyle(video).scale);
   assert.equal(mirrored, "-1 1");
@@ -33,17 +32,7 @@ test("a selfie from the camera opens unmirrored", { tag: "@camera" }, async ({ v
   // Mirrored, the nose would be in the other half of the picture.
   const nose = (await visitor.meshJson("image")).positions[1];
   assert.ok(Math.abs(nose[0] - NOSE_IN_PORTRAIT) < 0.03, `the nose is at ${nose[0]} of the width`);
-});
-
-test("one of several faces in a photo can be chosen", async ({ visitor }) => {
-  await openGroup(visitor);
-  assert.equal(await visitor.page.getAttribute("#face-choice", "aria-label"), "2 faces in this photo");
-  const first = await visitor.meshJson("image");
-  await chooseFace(visitor, 1);
-  await visitor.frames(3);
-  const second = await visitor.meshJson("image");
-  const apart = Math.abs(first.positions[1][0] - second.positions[1][0]);
-  assert.ok(Math.abs(apart - 0.5) < 0.01, `the two noses are ${apart} of the width apart`);
+  assert.equal((await visitor.save("save-project")).name, "selfie.rosto");
 });
 
 test("the hovered landmark is marked on the panel's photo and on the mesh", async ({ visitor, page }) => {
@@ -73,7 +62,7 @@ test("the hovered landmark is marked on the panel's photo and on the mesh", asyn
   assert.ok(difference(picture, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
 });
 
-test("the main thread draws a large photo only at its displayed size", async ({ open }) => {
+test("the main thread draws a large photo only at its displayed size", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [recordDrawnImages] });
   const { page } = visitor;
   // Before the host is open, an unscaled part of the photo is drawn.

@@ -105,15 +105,6 @@ export function middleOf({ width, data }, colour, most) {
   return { x: sum.x / sum.count, y: sum.y / sum.count };
 }
 
-/** Number of pixels close to the light theme's accent colour. @param {Pixels} pixels */
-export function accentPixels({ data }) {
-  let count = 0;
-  for (let at = 0; at < data.length; at += 4) {
-    if ([0xb8, 0x49, 0x2f].every((accent, channel) => Math.abs(data[at + channel] - accent) < 16)) count += 1;
-  }
-  return count;
-}
-
 /** @param {Pixels} pixels @param {{ x: number, y: number }} place @param {number} reach_px @returns {Pixels} */
 function around({ width, data }, { x, y }, reach_px) {
   const side = 2 * reach_px + 1;

@@ -1,14 +1,13 @@
 import assert from "node:assert/strict";
 import { meshByCommandLine } from "./command-line.mjs";
-import { variants, test } from "./fixtures.mjs";
-import { DENSEST, LANDMARKS, assertSameMesh, maxDisplacement, displacement } from "./meshes.mjs";
+import { test } from "./fixtures.mjs";
+import { LANDMARKS, assertSameMesh, maxDisplacement, displacement } from "./meshes.mjs";
 import { colourCount, difference, differenceNear } from "./pixels.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
 const NOSE_TIP = 1;
-const FOREHEAD = 151;
 /** Right and left corner of the mouth. */
 const MOUTH_CORNERS = [61, 291];
 
@@ -31,39 +30,35 @@ test("hovering a landmark highlights and names it, and leaving it clears both", 
   assert.equal(await editor.cursor(), "grab");
 });
 
-for (const [[density, points], tag] of variants([["0", LANDMARKS], ["3", DENSEST]])) {
-  test(`a landmark follows the pointer in the view plane, more slowly with Shift, and shows its influence: ${points} points`, { tag: ["@eyes", ...tag] }, async ({ editor, page }) => {
-    await page.selectOption("#density", density, { force: true });
-    // With it, the tip stays in the plane of symmetry, which the photo does not show edge-on.
-    await editor.reveal("#edit-mirror");
-    await page.uncheck("#edit-mirror");
-    await editor.findLandmark("nose tip");
-    const tip = await editor.tagPosition();
-    const start = await editor.meshJson("mm");
-    assert.equal(start.positions.length, points);
-    await editor.grab(tip, { x: 0, y: -40 });
-    const moving = await editor.view();
-    assert.ok(colourCount(moving) > 40);
-    const seen = await editor.tagPosition();
-    assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
-    await page.mouse.up();
-    const around = await editor.toViewPixels({ x: tip.x, y: tip.y - 40 });
-    assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the influence is not displayed");
-    const moved = await editor.meshJson("mm");
-    const usual = displacement(start, moved, NOSE_TIP);
-    assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
-    assert.ok(maxDisplacement(start, moved) < 1.5 * Math.hypot(...usual), `a vertex went ${maxDisplacement(start, moved)} mm`);
-    assert.deepEqual(await editor.history(), ["nose tip · 1"]);
+test("a landmark follows the pointer in the view plane, more slowly with Shift, and shows its influence", { tag: "@eyes" }, async ({ editor, page }) => {
+  // With it, the tip stays in the plane of symmetry, which the photo does not show edge-on.
+  await editor.reveal("#edit-mirror");
+  await page.uncheck("#edit-mirror");
+  await editor.findLandmark("nose tip");
+  const tip = await editor.tagPosition();
+  const start = await editor.meshJson("mm");
+  await editor.grab(tip, { x: 0, y: -40 });
+  const moving = await editor.view();
+  assert.ok(colourCount(moving) > 40);
+  const seen = await editor.tagPosition();
+  assert.ok(Math.hypot(seen.x - tip.x, seen.y - tip.y + 40) <= 1.5, `it is at ${seen.x}, ${seen.y}`);
+  await page.mouse.up();
+  const around = await editor.toViewPixels({ x: tip.x, y: tip.y - 40 });
+  assert.ok(differenceNear(moving, await editor.view(), around, 30) > 0.3, "the influence is not displayed");
+  const moved = await editor.meshJson("mm");
+  const usual = displacement(start, moved, NOSE_TIP);
+  assert.ok(usual[1] > 2 && Math.abs(usual[2]) < usual[1] / 2, `${usual}`);
+  assert.ok(maxDisplacement(start, moved) < 1.5 * Math.hypot(...usual), `a vertex went ${maxDisplacement(start, moved)} mm`);
+  assert.deepEqual(await editor.history(), ["nose tip · 1"]);
 
-    await page.keyboard.down("Shift");
-    await editor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
-    await page.keyboard.up("Shift");
-    const fine = displacement(moved, await editor.meshJson("mm"), NOSE_TIP);
-    assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm, not a tenth of ${usual[1]}`);
-    for (let undo = 0; undo < 2; undo++) await page.click("#toolbar [data-action='undo']");
-    assert.deepEqual(await editor.meshJson("mm"), start);
-  });
-}
+  await page.keyboard.down("Shift");
+  await editor.drag({ x: tip.x, y: tip.y - 40 }, { x: 0, y: -40 });
+  await page.keyboard.up("Shift");
+  const fine = displacement(moved, await editor.meshJson("mm"), NOSE_TIP);
+  assert.ok(Math.abs(fine[1] / usual[1] - 0.1) < 0.02, `${fine[1]} mm, not a tenth of ${usual[1]}`);
+  for (let undo = 0; undo < 2; undo++) await page.click("#toolbar [data-action='undo']");
+  assert.deepEqual(await editor.meshJson("mm"), start);
+});
 
 test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.reveal("#edit-mirror");
@@ -129,34 +124,6 @@ test("the wheel changes the influence radius during a drag, which stays one edit
     const moved_mm = Math.hypot(...displacement(start, after, vertex));
     if (apart_mm > radii_mm[2]) assert.ok(moved_mm < 1e-6, `vertex ${vertex}, ${apart_mm} mm away, moved by ${moved_mm} mm`);
   }
-});
-
-test("with mirroring the other side follows, and the symmetry plane is drawn during a drag", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
-  await editor.findLandmark(String(MOUTH_CORNERS[0]));
-  const start = await editor.meshJson("mm");
-  await editor.setOffset("x", -4);
-  const apart = await editor.meshJson("mm");
-  const [right, left] = MOUTH_CORNERS.map((corner) => displacement(start, apart, corner)[0]);
-  assert.ok(Math.abs(right + 4) < 1e-9 && Math.abs(left - 4) < 1e-9);
-  await page.click("#toolbar [data-action='undo']");
-
-  // The forehead, which an edit of the mouth does not change.
-  const forehead = await editor.landmarkPosition(FOREHEAD);
-  const corner = await editor.landmarkPosition(MOUTH_CORNERS[0]);
-  const plain = await editor.view();
-  const whileDragging = async () => {
-    await editor.grab(corner, { x: 0, y: 20 });
-    const seen = await editor.view();
-    await page.keyboard.press("Escape");
-    await page.mouse.up();
-    return differenceNear(plain, seen, await editor.toViewPixels(forehead), 6);
-  };
-  assert.ok((await whileDragging()) > 0, "the symmetry plane is not drawn");
-  await editor.reveal("#edit-mirror");
-  await page.uncheck("#edit-mirror");
-  assert.equal(await whileDragging(), 0, "the symmetry plane is drawn without mirroring");
-  await editor.setOffset("x", -4);
-  assert.ok(Math.abs(displacement(start, await editor.meshJson("mm"), MOUTH_CORNERS[1])[0]) < 2);
 });
 
 test("Alt and a click pin a landmark, which then stays in place, and unpin it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {

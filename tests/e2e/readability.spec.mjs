@@ -1,16 +1,16 @@
 import assert from "node:assert/strict";
 import { PNG } from "pngjs";
 import { chinFindings } from "./chin.mjs";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { STATES, allowDelayedReplies, problemsOf } from "./states.mjs";
 
 /** States that show most of the page's texts. */
 const SEEN = STATES.filter(({ id }) => ["empty", "working", "arrived", "selected", "view", "export", "notice", "keys"].includes(id));
 
-const LARGE_FONTS = variants([{ font_px: 32, width: 1440, height: 900 }, { font_px: 24, width: 1280, height: 720 }, { font_px: 24, width: 480, height: 900 }]);
+const LARGE_FONTS = [{ font_px: 32, width: 1440, height: 900 }, { font_px: 24, width: 1280, height: 720 }, { font_px: 24, width: 480, height: 900 }];
 
-for (const [{ font_px, width, height }, tag] of LARGE_FONTS) {
-  test(`with a font size of ${font_px} px in a window of ${width} × ${height}, texts are larger and nothing is cut`, { tag }, async ({ open }) => {
+for (const { font_px, width, height } of LARGE_FONTS) {
+  test(`with a font size of ${font_px} px in a window of ${width} × ${height}, texts are larger and nothing is cut`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height }, colorScheme: "light", before: allowDelayedReplies });
     const { page } = visitor;
     const session = await page.context().newCDPSession(page);
@@ -30,8 +30,8 @@ for (const [{ font_px, width, height }, tag] of LARGE_FONTS) {
   });
 }
 
-for (const [{ width, height }, tag] of variants([{ width: 320, height: 200 }, { width: 320, height: 256 }, { width: 390, height: 300 }])) {
-  test(`in a window of ${width} × ${height}, the face is visible and everything can be scrolled to`, { tag: ["@eyes", ...tag] }, async ({ open }) => {
+for (const [width, height] of [[320, 200], [320, 256], [390, 300]]) {
+  test(`in a window of ${width} × ${height}, the face is visible and everything can be scrolled to`, { tag: ["@eyes", "@rare"] }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.untilLoaded();

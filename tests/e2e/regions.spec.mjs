@@ -11,7 +11,7 @@ const PAGE_OPTIONS = "--units mm --topology canonical --operator cotangent --con
 const NOSE_TIP = 1;
 const CHIN = 152;
 
-test("a region moves as one by its sliders, with its name, like on the command line", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a region moves as one by its sliders, with its name, like on the command line", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.selectRegion("left-brow");
   assert.match(await page.innerText("#announcement"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
@@ -74,24 +74,4 @@ test("clicks select the region under the pointer, then a larger one, and landmar
   await page.check("input[name='selection'][value='landmark']", { force: true });
   assert.ok(await page.isHidden("#region"));
   assert.match(await page.inputValue("#landmark-search"), /nose tip$/);
-});
-
-test("the selection is reset in one undoable step", { tag: "@rare" }, async ({ editor, page }) => {
-  await editor.move("bottom of the chin", "y", -6);
-  const chin = await editor.meshJson("mm");
-  await editor.selectRegion("nose");
-  assert.ok(await page.isDisabled("[data-action='reset.one']"));
-  await editor.setOffset("z", 4);
-  await editor.setOffset("y", 2);
-  const both = await editor.meshJson("mm");
-
-  await editor.unfold("section-history");
-  await page.click("[data-action='reset.one']");
-  assert.match(await page.innerText("#announcement"), /nose/);
-  assert.deepEqual(await editor.meshJson("mm"), chin);
-  assert.equal(await page.inputValue("#landmark-offset [data-axis='z'] .number-field"), "0");
-  assert.ok(await page.isDisabled("[data-action='reset.one']"));
-  await page.click("#toolbar [data-action='undo']");
-  assert.deepEqual(await editor.meshJson("mm"), both);
-  assert.equal(await page.inputValue("#landmark-offset [data-axis='z'] .number-field"), "4");
 });

@@ -1,5 +1,4 @@
 import assert from "node:assert/strict";
-import { glbOf } from "./changed-files.mjs";
 import { variants, test } from "./fixtures.mjs";
 import { assertRestored } from "./meshes.mjs";
 import { colourCount, meanStep } from "./pixels.mjs";
@@ -52,20 +51,4 @@ test("a GLB restores the density and the eye and mouth openings", { tag: "@rare"
   const opened = await editor.meshJson("mm");
   assert.deepEqual(opened.positions, work.positions);
   assert.deepEqual(opened.triangles, work.triangles);
-});
-
-test("a GLB of another program, or a truncated one, shows a notice and leaves the work unchanged", async ({ editor, page }) => {
-  await editor.move("nose tip", "z", 4);
-  const work = await editor.meshJson("mm");
-  const file = await editor.download("download-glb");
-  const foreign = glbOf({ json: { asset: { version: "2.0" }, scenes: [{}] }, bytes: Buffer.alloc(0) });
-  for (const { bytes, code, says } of [
-    { bytes: foreign, code: "foreign-glb", says: /no face that can be edited/ },
-    { bytes: file.subarray(0, file.length / 2), code: "damaged-glb", says: /damaged or incomplete/ },
-  ]) {
-    await editor.drop(bytes, "other.glb");
-    await page.waitForSelector(`#notice[data-code="${code}"]`);
-    assert.match((await editor.notice()).text, says);
-    assert.deepEqual(await editor.meshJson("mm"), work);
-  }
 });

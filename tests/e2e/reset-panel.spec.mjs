@@ -1,50 +1,43 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { expect } from "@playwright/test";
-import { variants, test } from "./fixtures.mjs";
-import { chooseFace, openGroup } from "./groups.mjs";
+import { test } from "./fixtures.mjs";
 import { asJpeg } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { viewport: { width: 1024, height: 480 }, hasClock: true } });
 
-for (const [[what, fileOf], tag] of variants(/** @type {const} */ ([
-  ["photo", async ({ page }) => ({ bytes: await asJpeg(page, await readFile(SAMPLE)), name: "new.jpg" })],
-  ["project", async (editor) => ({ bytes: await editor.download("save-project"), name: "new.rosto" })],
-  ["GLB", async (editor) => ({ bytes: await editor.download("download-glb"), name: "new.glb" })],
-]))) {
-  test(`after opening a new ${what}, no control keeps a selection, input or scroll position`, { tag }, async ({ editor, page }) => {
-    await editor.untilLoaded();
-    const { bytes, name } = await fileOf(editor);
-    const fresh = await controls(page);
+test("after opening another photo, no control keeps a selection, input or scroll position", async ({ editor, page }) => {
+  await editor.untilLoaded();
+  const photo = await asJpeg(page, await readFile(SAMPLE));
+  const fresh = await controls(page);
 
-    await editor.selectRegion("left-brow");
-    await editor.setOffset("y", 3);
-    await editor.unfold("symmetrise");
-    await page.fill("#symmetrise .number-field", "80");
-    await editor.unfold("section-export");
-    await page.click("[data-action='check-glb']");
-    await page.waitForSelector("#verdict[data-tone='success']");
-    // Typed, but not committed.
-    await editor.unfold("slider-nose-width");
-    await page.locator("#slider-nose-width .number-field").fill("7");
-    await page.evaluate(() => (document.getElementById("sections").scrollTop = 400));
-    assert.notDeepEqual(await controls(page), fresh);
+  await editor.selectRegion("left-brow");
+  await editor.setOffset("y", 3);
+  await editor.unfold("symmetrise");
+  await page.fill("#symmetrise .number-field", "80");
+  await editor.unfold("section-export");
+  await page.click("[data-action='check-glb']");
+  await page.waitForSelector("#verdict[data-tone='success']");
+  // Typed, but not committed.
+  await editor.unfold("slider-nose-width");
+  await page.locator("#slider-nose-width .number-field").fill("7");
+  await page.evaluate(() => (document.getElementById("sections").scrollTop = 400));
+  assert.notDeepEqual(await controls(page), fresh);
 
-    await editor.drop(bytes, name);
-    await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
-    await editor.frames(5);
-    assert.deepEqual(await controls(page), { ...fresh, tab: "shape", chosenTab: "tab-shape", scroll: 0, verdict: "" });
-    assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
+  await editor.drop(photo, "new.jpg");
+  await page.waitForFunction(() => document.querySelectorAll("#history .check").length === 0);
+  await editor.frames(5);
+  assert.deepEqual(await controls(page), { ...fresh, tab: "shape", chosenTab: "tab-shape", scroll: 0, verdict: "" });
+  assert.ok(await page.isHidden("#verdict"), "the verdict is of another file");
 
-    // Unfinished input of the previous face is not committed later.
-    await editor.unfold("symmetrise");
-    await page.locator("#symmetrise .number-field").focus();
-    await page.clock.runFor(1000);
-    assert.deepEqual(await editor.history(), []);
-    assert.equal(await editor.sliderValue("nose-width"), 0);
-  });
-}
+  // Unfinished input of the previous face is not committed later.
+  await editor.unfold("symmetrise");
+  await page.locator("#symmetrise .number-field").focus();
+  await page.clock.runFor(1000);
+  assert.deepEqual(await editor.history(), []);
+  assert.equal(await editor.sliderValue("nose-width"), 0);
+});
 
 test("a pending search is cleared when another face opens", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.selectBy("landmark");
@@ -58,18 +51,6 @@ test("a pending search is cleared when another face opens", { tag: "@rare" }, as
   await expect(page.locator("#landmark-search-error")).toBeHidden();
   assert.ok(!(await page.locator("#landmark-search").evaluate((field) => field.hasAttribute("aria-invalid"))));
   assert.ok(await page.isHidden("#notice"));
-});
-
-test("choosing another face of a group keeps the tab", async ({ visitor, page }) => {
-  await openGroup(visitor);
-  await visitor.findLandmark("nose tip");
-  await visitor.unfold("symmetrise");
-  await page.fill("#symmetrise .number-field", "80");
-  await visitor.unfold("section-view");
-  await chooseFace(visitor, 1);
-  await page.waitForFunction(() => document.querySelector("#symmetrise .number-field").value === "50");
-  assert.equal(await page.getAttribute("body", "data-tab"), "view");
-  assert.equal(await page.inputValue("#landmark-search"), "");
 });
 
 /** The panel's controls that depend on the face. */

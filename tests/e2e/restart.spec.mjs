@@ -1,16 +1,16 @@
 import assert from "node:assert/strict";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 import { meanStep } from "./pixels.mjs";
 import { corruptMemory, hookModule, trapIn } from "./page-scripts.mjs";
 
 test.use({ visit: { expert: true, scripts: [hookModule] } });
 
-for (const [{ drawn, needs }, tag] of variants([
+for (const { drawn, needs } of [
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
-])) {
-  test(`a module with corrupted memory restarts twice under ${drawn} and restores work, choices and view`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
+]) {
+  test(`a module with corrupted memory restarts twice under ${drawn} and restores work, choices and view`, { tag: ["@rare", `@${needs}`] }, async ({ editor, page }) => {
     await editor.untilLoaded();
     const start = await workOn(editor);
     const work = await editor.meshJson("mm");

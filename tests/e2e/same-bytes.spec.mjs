@@ -17,8 +17,13 @@ const EDITED = ["--slider", "nose-width:4"];
  * @typedef {{ format: string, choose: Record<string, string | boolean>, options: string[] }} Row
  * @type {Row[]}
  */
-const PAINTED = [
+const USUAL = [
   { format: "glb", choose: { paint: "whole", size: "1024", density: "2", unlit: false }, options: ["--base-colour", "whole", "--texture-size", "1024"] },
+  { format: "obj", choose: { paint: "colours", density: "0" }, options: ["--base-colour", "colours", "--density", "0"] },
+];
+
+/** @type {Row[]} */
+const PAINTED = [
   { format: "png", choose: { paint: "whole", size: "1024" }, options: ["--base-colour", "whole", "--texture-size", "1024"] },
   { format: "obj", choose: { paint: "whole", size: "1024" }, options: ["--base-colour", "whole", "--texture-size", "1024"] },
   { format: "usdz", choose: { paint: "photo", size: "2048", density: "1", eyes: true }, options: ["--base-colour", "photo", "--texture-size", "2048", "--density", "1", "--eyes", "pieces"] },
@@ -36,7 +41,7 @@ const PRINTED = [
   { format: "stl", choose: { solid: "thickness", length: "1.2", density: "1" }, options: ["--height-mm", "80", "--solid", "thickness:1.2", "--density", "1"] },
 ];
 
-for (const [[kind, rows], tag] of variants(Object.entries({ meshes: PAINTED, printed: PRINTED }))) {
+for (const [[kind, rows], tag] of variants(Object.entries({ "a GLB and an OBJ": USUAL, meshes: PAINTED, printed: PRINTED }))) {
   test(`page and command line write the same bytes for the same face and edits: ${kind}`, { tag }, async ({ visitor }) => {
     await openAsCommandLine(visitor);
     await visitor.setSlider("nose-width", 4);

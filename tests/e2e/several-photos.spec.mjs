@@ -42,7 +42,7 @@ test("photos of one person become one face, without those that have none", async
   assert.ok(await page.isHidden("#faces"), "a photo opened as another face");
 });
 
-test("photos of different people open each, the first one last", async ({ visitor, page }) => {
+test("photos of different people open each, the first one last", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilInteractive();
   const files = [await photo(page, "ana"), await photo(page, "bia", 480), await photo(page, "eva", 640)];
   await page.setInputFiles("#photo-file", files);
@@ -54,7 +54,7 @@ test("photos of different people open each, the first one last", async ({ visito
 });
 
 for (const [width, height] of [[1280, 720], [390, 844]]) {
-  test(`at ${width}×${height} the dialog states the limits of six photos, in both languages`, async ({ open }) => {
+  test(`at ${width}×${height} the dialog states the limits of six photos, in both languages`, { tag: "@rare" }, async ({ open }) => {
     const { page } = await open({ viewport: { width, height } });
     await page.waitForSelector("body[data-host='open']");
     const one = await photo(page, "ana");

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { PNG } from "pngjs";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { PREVIOUS_FACE } from "./groups.mjs";
 import { difference, differenceNear } from "./pixels.mjs";
 import { crashGpu, hookModule, recordGpus } from "./page-scripts.mjs";
@@ -91,12 +91,11 @@ test("a GLB that cannot be shared is saved; cancelling is silent", async ({ open
   assert.ok(await page.isHidden("#notice"));
 });
 
-for (const [[what, script], tag] of variants(Object.entries({
+for (const [what, script] of Object.entries({
   "has no share()": "delete Navigator.prototype.share; navigator.canShare = () => true",
-  "has no canShare()": "delete Navigator.prototype.canShare; navigator.share = async () => {}",
   "throws in canShare()": "navigator.share = async () => {}; navigator.canShare = () => { throw new TypeError('refused') }",
-}))) {
-  test(`the share buttons are absent in a browser that ${what}`, { tag }, async ({ open }) => {
+})) {
+  test(`the share buttons are absent in a browser that ${what}`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ scripts: [script] });
     await visitor.openFace();
     await visitor.unfold("section-export");
@@ -194,7 +193,7 @@ test("a recording ends when the GPU process crashes, and a new one works", { tag
   assert.equal((await coming).suggestedFilename(), "portrait-turning.webm");
 });
 
-test("a browser without MediaRecorder shows a note instead of the button", async ({ open }) => {
+test("a browser without MediaRecorder shows a note instead of the button", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: ["delete window.MediaRecorder"] });
   const { page } = visitor;
   await visitor.openFace();

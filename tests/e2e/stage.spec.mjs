@@ -31,23 +31,6 @@ test("a click selects the point that is named under the pointer", async ({ edito
   }
 });
 
-test("the middle button turns the face, without the browser's own action", async ({ editor, page }) => {
-  await editor.findLandmark("nose tip");
-  await page.evaluate(() => {
-    globalThis.left = [];
-    for (const name of ["mousedown", "mouseup", "auxclick"]) {
-      addEventListener(name, (event) => event.defaultPrevented || globalThis.left.push(name));
-    }
-  });
-  const tip = await editor.selectionPosition();
-  await page.mouse.move(tip.x, tip.y);
-  await page.mouse.down({ button: "middle" });
-  await page.mouse.move(tip.x + 60, tip.y, { steps: 3 });
-  await page.mouse.up({ button: "middle" });
-  assert.ok(Math.abs((await editor.selectionPosition()).x - tip.x) > 5, "the face was not turned");
-  assert.deepEqual(await page.evaluate("left"), []);
-});
-
 test("no shortcut works in a list, in a text, or while a word is composed", async ({ editor, page }) => {
   await editor.setSlider("nose-width", 3);
   const before = await editor.history();
@@ -84,19 +67,4 @@ test("no shortcut works in a list, in a text, or while a word is composed", asyn
   assert.notEqual(await scene(), start);
   await page.keyboard.press("Control+z");
   assert.deepEqual(await editor.history(), []);
-});
-
-test("an entry of the history keeps the focus when it is switched off and on", async ({ editor, page }) => {
-  await editor.setSlider("nose-width", 3);
-  await editor.setSlider("jaw-width", 2);
-  await editor.reveal("#history");
-  const entry = page.locator("#history input").last();
-  await entry.focus();
-  const id = await entry.getAttribute("id");
-  for (const isOn of [false, true]) {
-    await page.keyboard.press("Space");
-    await page.waitForFunction(([id, isOn]) => document.getElementById(id).checked === isOn, [id, isOn]);
-    await editor.frames(3);
-    assert.equal(await page.evaluate(() => document.activeElement?.id), id);
-  }
 });

@@ -6,7 +6,7 @@ import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 /** Longer than the page's timeouts for database and locks. */
 const TIMEOUT_S = 8;
 
-test("if the quota is exceeded on commit, a notice says once that work is not saved, and editing continues", async ({ open }) => {
+test("if the quota is exceeded on commit, a notice says once that work is not saved, and editing continues", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [countAborts] });
   const { page } = visitor;
   const browser = await page.context().newCDPSession(page);

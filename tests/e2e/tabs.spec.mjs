@@ -29,8 +29,21 @@ test("two tabs save separate works, and each restores its own face and edits", a
   assert.deepEqual(await first.work(), work);
   await second.reloadAndResume();
   assert.deepEqual(await second.work(), others);
+});
 
-  // After both are closed, two new tabs offer both, latest first.
+test("two new tabs offer the works of two closed ones, latest first, and make no copies", { tag: "@rare" }, async ({ editor: first, page }) => {
+  await first.move("nose tip", "z", 9);
+  await untilSaved(page);
+  const second = await first.openTab();
+  await openOther(second);
+  await second.move("bottom of the chin", "y", -6);
+  const others = await second.work();
+  await untilSaved(second.page, 2);
+  await page.bringToFront();
+  await first.setOffset("y", 4);
+  const work = await first.work();
+  await untilSaved(page, 2);
+
   await page.close();
   const third = await second.openTab();
   await second.page.close();

@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 
 /** Maximum duration of the toast. */
 const TOAST_MS = 6000;
 
-for (const [{ width, height }, tag] of variants([{ width: 1280, height: 720 }, { width: 390, height: 844 }, { width: 844, height: 390 }])) {
-  test(`at ${width}×${height} a download shows a short toast, announced once, that covers no tool`, { tag }, async ({ open }) => {
+for (const [width, height] of [[1280, 720], [390, 844], [844, 390]]) {
+  test(`at ${width}×${height} a download shows a short toast, announced once, that covers no tool`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.openFace();

@@ -252,36 +252,6 @@ export class Visitor {
     return { x: (x - box.x) * ratio, y: (y - box.y) * ratio };
   }
 
-  /**
-   * Visits a grid of points in the 3D view and drags from each highlighted one. Returns the number of highlighted points,
-   * and those where the drag moved another point than the highlighted one.
-   *
-   * @param {number} side grid points per side
-   */
-  async dragAtEach(side) {
-    const { page } = this;
-    const view = await page.locator("#viewport").boundingBox();
-    const mismatches = [];
-    let highlighted = 0;
-    for (let place = 0; place < side * side; place++) {
-      const x = view.x + (view.width * ((place % side) + 0.43)) / side;
-      const y = view.y + (view.height * (Math.floor(place / side) + 0.57)) / side;
-      const isStage = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.id === "viewport", [x, y]);
-      if (!isStage) continue;
-      await page.mouse.move(x, y);
-      if ((await this.cursor()) !== "move") continue;
-      const name = await page.textContent("#landmark-tag");
-      highlighted += 1;
-      await page.mouse.down();
-      await page.mouse.move(x + 14, y + 14, { steps: 2 });
-      await page.mouse.up();
-      const [entry] = await this.history();
-      if (entry !== name) mismatches.push({ x, y, name, entry });
-      if (entry !== undefined) await page.keyboard.press("Control+z");
-    }
-    return { highlighted, mismatches };
-  }
-
   /** A point of the window where the 3D view does not show the face. */
   async emptyPoint() {
     const view = await this.page.locator("#viewport").boundingBox();
@@ -423,6 +393,15 @@ export class Visitor {
   /** Opens the menu of everything that can be saved. */
   async openSaveMenu() {
     if (!(await this.page.isVisible("#save-popover"))) await this.page.click("#save-more");
+  }
+
+  /** {@link view}, once the marks at the selection have faded, which they do a second after their last use. */
+  async viewWithoutMarks() {
+    await this.page.waitForFunction(() => {
+      const tag = document.getElementById("landmark-tag");
+      return tag.hidden || tag.style.opacity === "0";
+    });
+    return this.view();
   }
 
   /** Pixels of the 3D view once it is still, without the elements over it. */

@@ -40,7 +40,7 @@ test("without a WebGPU adapter, the page works with WebGL2", { tag: "@webgl" }, 
   assert.equal(picture.data[3], 0, "the picture is not transparent around the face");
 });
 
-test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
+test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives the command line's mesh", { tag: ["@webgl", "@rare"] }, async ({ open }) => {
   const visitor = await open({ scripts: ["delete Navigator.prototype.gpu"] });
   await visitor.dropSample();
   const asked = visitor.requests.map((url) => new URL(url).pathname.split("/").at(-1));
@@ -52,7 +52,7 @@ test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives 
   assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));
 });
 
-test("with WebGPU, the WebGL2 module is not downloaded", async ({ open }) => {
+test("with WebGPU, the WebGL2 module is not downloaded", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   await visitor.untilLoaded();
   assert.equal(await contextKind(visitor.page), "webgpu");

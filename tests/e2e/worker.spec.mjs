@@ -65,7 +65,7 @@ test("a worker that does not load times out after a minute, and the next photo s
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a worker on a slow connection does not time out", async ({ open, server }) => {
+test("a worker on a slow connection does not time out", { tag: "@rare" }, async ({ open, server }) => {
   const module = await inVersion(path.basename(WORKER_MODULE));
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 100);
@@ -97,7 +97,7 @@ test("a worker on a slow connection does not time out", async ({ open, server })
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("the progress bar shows the total progress and does not go back", async ({ open }) => {
+test("the progress bar shows the total progress and does not go back", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [recordWorkers] });
   for (let photo = 0; photo < 2; photo += 1) {
     await visitor.page.evaluate("workerProgress.length = 0");

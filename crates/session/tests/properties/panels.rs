@@ -1,27 +1,18 @@
 //! Panels describe all that they show, and a widget shows the value that was set.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use glam::DVec3;
 use proptest::prelude::*;
 use rosto_session::{
-    Catalogue, Changed, Control, GroupLook, Intent, MAX_LISTED, Part, Phrase, Selection, SelectionMode, Session, Value,
-    Widget,
+    Catalogue, Changed, Control, Intent, MAX_LISTED, Selection, SelectionMode, Session, Value, Widget,
 };
 use rosto_studio::FaceSlider;
-use serde_json::Value as Json;
 
 use crate::faces::session;
+use crate::rendering::{LANGUAGES, all, rendered, words};
 
 const NOSE_TIP: u32 = 1;
-
-const WORDS: [&str; 2] = [include_str!("../../../../web/words/en.json"), include_str!("../../../../web/words/pt.json")];
-
-type Words = BTreeMap<String, Json>;
-
-fn words(language: usize) -> Words {
-    serde_json::from_str(WORDS[language]).unwrap()
-}
 
 /// A session with an edit and a selection.
 fn edited() -> Session {
@@ -38,67 +29,9 @@ fn edited() -> Session {
     session
 }
 
-/// All widgets, groups first.
-fn all(widgets: &[Widget]) -> Vec<&Widget> {
-    widgets.iter().flat_map(|widget| [vec![widget], all(widget.children())].concat()).collect()
-}
-
-fn text(words: &Words, phrase: &Phrase) -> String {
-    let word = words.get(phrase.key.as_ref()).and_then(Json::as_str);
-    let mut text = word.unwrap_or_else(|| panic!("no word {:?}", phrase.key)).to_owned();
-    for (name, part) in &phrase.values {
-        let value = match part {
-            Part::Text(text) => text.clone(),
-            Part::Number(number, decimals) => format!("{number:.*}", usize::from(*decimals)),
-            Part::Phrase(phrase) => self::text(words, phrase),
-        };
-        let place = format!("{{{name}}}");
-        assert!(text.contains(&place), "{:?} has no place for {name}", phrase.key);
-        text = text.replace(&place, &value);
-    }
-    text
-}
-
-/// The panel as text, also its hidden widgets.
-fn rendered(words: &Words, widgets: &[Widget], depth: usize) -> String {
-    let line = |widget: &Widget| {
-        let label = widget.label.clone().unwrap_or_else(|| Phrase::word(widget.id.clone()));
-        let label = || text(words, &label);
-        let option = |name: &str, id: &str| text(words, &Phrase::word(format!("{name}.{id}")));
-        let shown = match &widget.control {
-            Control::Group { look, widgets, .. } => {
-                return format!(
-                    "{}\n{}",
-                    label(),
-                    rendered(words, widgets, depth + usize::from(*look != GroupLook::Plain))
-                );
-            }
-            Control::Slider { value, unit, .. } => format!("{}: {value:.1} {unit}", label()),
-            Control::Check { on, notes } => {
-                let notes: String = notes.iter().map(|note| format!(" ({})", text(words, note))).collect();
-                format!("[{}] {}{notes}", if *on { "x" } else { " " }, label())
-            }
-            Control::Choice { name, options, chosen, .. } => {
-                let names: Vec<String> = options.iter().map(|id| option(name, id)).collect();
-                let chosen = chosen.as_ref().map(|id| option(name, id));
-                format!("{}: {} of {}", label(), chosen.unwrap_or_default(), names.join(", "))
-            }
-            Control::Colour { rgb } => format!("{}: {rgb:?}", label()),
-            Control::Button { .. } => format!("<{}>", label()),
-            Control::Text { phrase, .. } => phrase.as_ref().map(|phrase| text(words, phrase)).unwrap_or_default(),
-            Control::Facts { rows } => {
-                rows.iter().map(|(name, value)| format!("{} = {}; ", text(words, name), text(words, value))).collect()
-            }
-            Control::Slot => format!("({})", widget.id),
-        };
-        format!("{shown}\n")
-    };
-    widgets.iter().map(|widget| format!("{}{}", "  ".repeat(depth), line(widget))).collect()
-}
-
 #[test]
 fn every_panel_renders_to_text_in_every_language() {
-    for language in 0..WORDS.len() {
+    for language in LANGUAGES {
         let words = words(language);
         let mut session = edited();
         for mode in SelectionMode::ALL {
@@ -113,7 +46,7 @@ fn every_panel_renders_to_text_in_every_language() {
 
 #[test]
 fn the_text_of_the_panel_shows_edits_and_values() {
-    let text = rendered(&words(0), &edited().panel(), 0);
+    let text = rendered(&words("en"), &edited().panel(), 0);
     for line in ["Nose width: 2.0 mm", "forward: 1.0 mm", "[x] nose tip (1.0 mm)", "[x] Nose width (2.0 mm)", "<Undo>"]
     {
         assert!(text.contains(line), "no {line:?} in\n{text}");
@@ -139,7 +72,7 @@ fn the_history_lists_the_latest_entries() {
     let history = all(&panel).into_iter().find(|widget| widget.id == "history").unwrap();
     let ids: Vec<&str> = history.children().iter().map(|widget| widget.id.as_ref()).collect();
     assert_eq!((ids.len(), ids[0]), (MAX_LISTED, format!("entry.{}", count - 1).as_str()));
-    assert!(rendered(&words(0), &panel, 0).contains("and 2 earlier edits"));
+    assert!(rendered(&words("en"), &panel, 0).contains("and 2 earlier edits"));
 }
 
 /// The value that a widget shows.
