@@ -1,33 +1,36 @@
 // Monkey test of the built page:
-// node tests/e2e/monkey.mjs [--runs N] [--actions MAX] [--seed S] [--path P] [--replay R]
-// On two cores, two lanes share the runs. fast-check shrinks a failure and prints the seed, path and replay path that
-// reproduce it.
-import { availableParallelism } from "node:os";
+// node tests/e2e/monkey.mjs [--actions TOTAL] [--length MOST] [--visitor KIND] [--seed S] [--path P] [--replay R]
+// Each kind of visitor performs TOTAL actions, at most MOST in a visit; the kinds run side by side. fast-check shrinks a
+// failure and prints the seed, path and replay path that reproduce it with its `--visitor`.
 import { parseArgs } from "node:util";
 import fc from "fast-check";
 import { action } from "./monkey/actions.mjs";
-import { Visit } from "./monkey/visit.mjs";
+import { KINDS, Visit } from "./monkey/visit.mjs";
 import { portraitVideo } from "./pictures.mjs";
 import { DIST, serve } from "./server.mjs";
 
 const SHRINKING_MS = 300_000;
+/** Less than the mean length of a visit, so that the visits suffice. */
+const LEAST_PER_VISIT = 10;
 
-/**
- * `actions` is the maximum per run.
- *
- * @typedef {{ runs: number, actions: number, seed: number, path?: string, replay?: string }} Amount
- */
+const text = (/** @type {string=} */ standard) => ({ type: /** @type {const} */ ("string"), default: standard });
+const options = { actions: text("500"), length: text("250"), visitor: text(), seed: text("1"), path: text(), replay: text() };
+const { actions, length, visitor, seed, path, replay } = parseArgs({ options }).values;
+const server = await serve(DIST, "/some/where/");
+const video = await portraitVideo();
+const kinds = Object.keys(KINDS).filter((kind) => visitor === undefined || kind === visitor);
+const ended = await Promise.allSettled(kinds.map(monkeyTest));
+server.close();
+for (const [at, { value, reason }] of ended.entries()) console.log(`${kinds[at]}: ${reason ?? `${value} actions, nothing found`}`);
+process.exitCode = kinds.length === 0 || ended.some(({ reason }) => reason) ? 1 : 0;
 
-/** @param {Amount} amount @returns {Promise<number>} number of actions performed */
-export async function monkeyTest({ runs, actions, seed, path, replay }) {
-  const server = await serve(DIST, "/some/where/");
-  const video = await portraitVideo();
-  let done = 0;
-  let shrinkingEnds = Number.POSITIVE_INFINITY;
-  const commands = fc.commands([action], { maxCommands: actions, size: "max", replayPath: replay });
+/** @param {string} kind of visitor @returns {Promise<number>} number of actions performed */
+async function monkeyTest(kind) {
+  let [done, shown, shrinkingEnds] = [0, 0, Number.POSITIVE_INFINITY];
+  const commands = fc.commands([action], { maxCommands: Number(length), size: "max", replayPath: replay });
   const property = fc.asyncProperty(commands, async (commands) => {
-    if (performance.now() > shrinkingEnds) return;
-    const visit = await Visit.start(server.url, video);
+    if (done >= Number(actions) || performance.now() > shrinkingEnds) return;
+    const visit = await Visit.start(server.url, video, kind);
     try {
       await fc.asyncModelRun(() => ({ model: visit, real: visit }), commands);
       await visit.look(3);
@@ -38,18 +41,11 @@ export async function monkeyTest({ runs, actions, seed, path, replay }) {
       done += visit.done;
       await visit.page.context().browser().close();
     }
+    if (done < shown + 100) return;
+    shown = done;
+    console.log(`${kind}: ${done} actions`);
   });
-  await fc.assert(property, { numRuns: runs, seed, path, unbiased: true }).finally(() => server.close());
+  const numRuns = Math.ceil(Number(actions) / LEAST_PER_VISIT);
+  await fc.assert(property, { numRuns, seed: Number(seed), path, unbiased: true });
   return done;
-}
-
-if (process.argv[1] === import.meta.filename) {
-  const text = (standard) => ({ type: /** @type {const} */ ("string"), default: standard });
-  const options = { runs: text("100"), actions: text("250"), seed: text("1"), path: text(), replay: text() };
-  const { runs, actions, seed, ...again } = parseArgs({ options }).values;
-  const lanes = again.path ? 1 : Math.min(2, availableParallelism());
-  const amount = { runs: Math.ceil(Number(runs) / lanes), actions: Number(actions), ...again };
-  const ended = await Promise.allSettled(Array.from({ length: lanes }, (_, lane) => monkeyTest({ ...amount, seed: Number(seed) + lane })));
-  for (const { value, reason } of ended) console.log(reason ?? `${value} actions, nothing found`);
-  process.exitCode = ended.some(({ reason }) => reason) ? 1 : 0;
 }

@@ -13,6 +13,12 @@ const OPENING_MS = 30_000;
 /** Notices that report an internal inconsistency. */
 const INTERNAL = new Set(["internal", "other", "bad-vertex", "bad-choice", "no-selection"]);
 
+/** Kinds of visitor: options of {@link Visitor.open}. @type {Record<string, import("../visitor.mjs").Visit & import("@playwright/test").BrowserContextOptions>} */
+export const KINDS = {
+  desktop: { viewport: { width: 1024, height: 640 }, expert: true },
+  phone: { viewport: { width: 390, height: 700 }, hasTouch: true },
+};
+
 /** One run of the monkey test, in its own browser. The first problem ends it. */
 export class Visit {
   /** Latest download of each kind, by extension. @type {Map<string, Buffer>} */
@@ -20,11 +26,10 @@ export class Visit {
   /** Number of actions performed. */
   done = 0;
 
-  /** @param {string} url @param {string} video file for the fake camera */
-  static async start(url, video) {
+  /** @param {string} url @param {string} video file for the fake camera @param {string} kind of visitor */
+  static async start(url, video, kind) {
     const browser = await launch({ video, seen: false });
-    const options = { viewport: { width: 760, height: 480 }, hasTouch: true, expert: true, scripts: [installMonkey] };
-    const { page, errors, consoleLines } = await Visitor.open(browser, url, options);
+    const { page, errors, consoleLines } = await Visitor.open(browser, url, { ...KINDS[kind], scripts: [installMonkey] });
     const visit = Object.assign(new Visit(), { page, errors, consoleLines, input: await page.context().newCDPSession(page) });
     page.on("crash", () => errors.push(new Error("the page's process died")));
     page.on("download", async (download) => {
