@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import rosto
 
-EXAMPLES = str(Path(__file__).parents[2] / "crates/python/examples")
+EXAMPLES = str(Path(__file__).parents[3] / "crates/python/examples")
 # For this process and for the clusters' processes.
 sys.path.insert(0, EXAMPLES)
 os.environ["PYTHONPATH"] = EXAMPLES

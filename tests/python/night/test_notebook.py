@@ -3,7 +3,7 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
-NOTEBOOK = Path(__file__).parents[2] / "crates/python/notebook/faces.ipynb"
+NOTEBOOK = Path(__file__).parents[3] / "crates/python/notebook/faces.ipynb"
 
 
 def test_the_notebook_has_no_outputs_and_runs():
