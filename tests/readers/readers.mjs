@@ -17,7 +17,7 @@ import { prusaSlicer, python } from "./programs.mjs";
  *   function that opens a file; throws {@link import("./programs.mjs").Missing} if the program is not installed
  */
 
-/** Only if `cargo xtask readers` has installed it, because it is several times as large as the others together. */
+/** Only if it could be installed, which needs Python 3.11. */
 const BLENDER = process.env.ROSTO_READERS_BLENDER;
 
 /** @type {Reader[]} */

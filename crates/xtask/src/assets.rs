@@ -22,8 +22,14 @@ pub fn obtain() -> Result<()> {
     portrait()
 }
 
+/// `cargo xtask networks`: what `embed-networks` includes in the command line.
+pub fn only_networks(_: &[&str]) -> Result<()> {
+    npm()?;
+    networks()
+}
+
 /// Installs the packages in `package-lock.json`.
-fn npm() -> Result<()> {
+pub fn npm() -> Result<()> {
     let advice = format!("install Node.js {OLDEST_NODE} or later, with npm");
     let version = Run::new("node").arg("--version").checked().with_context(|| advice.clone())?;
     let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());

@@ -1,5 +1,6 @@
 //! `cargo xtask bench`: measures Rosto and comparable software, and writes docs/benchmarks.json and the figures in the docs.
 
+use crate::need;
 use crate::places::{WASM, assets, remove_folder, root, target};
 use crate::run::{Run, announced};
 use crate::setup::{self, Kit};
@@ -28,7 +29,7 @@ pub fn run(wanted: &[&str]) -> Result<()> {
     if let Some(unknown) = wanted.iter().find(|name| !PARTS.iter().any(|(part, ..)| part == *name)) {
         bail!("unknown part `{unknown}`: use native, solvers, batches or browser");
     }
-    let kit = setup::for_tests()?;
+    let kit = setup::obtain(&need::GATE)?;
     for (name, what, program) in PARTS.iter().filter(|(name, ..)| wanted.is_empty() || wanted.contains(name)) {
         announced(name, what, || {
             let lines = target().join("bench.jsonl");

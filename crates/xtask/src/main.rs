@@ -2,11 +2,12 @@
 
 mod assets;
 mod bench;
-mod fuzz;
+mod need;
 mod page;
+mod passed;
 mod places;
 mod python;
-mod readers;
+mod report;
 mod run;
 mod rust;
 mod setup;
@@ -20,21 +21,20 @@ use std::process::ExitCode;
 /// Name, help and function of a task.
 type Task = (&'static str, &'static str, fn(&[&str]) -> Result<()>);
 
-const TASKS: [Task; 14] = [
+const TASKS: [Task; 13] = [
     ("setup", "install missing tools, networks and packages", setup::run),
     ("serve", "build the page and serve it on 127.0.0.1:8080 or the next free port", page::serve),
     ("dist", "build the page into dist/ and print its sizes", page::dist),
     ("reproduce", "rebuild the page from scratch in another folder and compare it with dist/", page::reproduce),
     ("npm", "build and pack the npm package in target/npm", page::npm),
-    ("test", "[STEP…] run all checks and tests, or the named steps", test::run),
+    ("networks", "download the face networks, which the command line includes", assets::only_networks),
+    ("test", "[--all] [STEP…] run the gate, everything, or the named steps", test::run),
     ("deny", "check licences, bans and sources of dependencies against deny.toml", rust::deny),
     (
         "bench",
         "[PART…] run benchmarks and write docs/benchmarks.json; parts: native, solvers, batches, browser",
         bench::run,
     ),
-    ("readers", "open exported files in other programs, including Blender", readers::run),
-    ("fuzz", "[MINUTES] run fuzzing, property, end-to-end and monkey tests; default: 10 minutes each", fuzz::run),
     ("screenshots", "render the documentation's pictures", page::screenshots),
     ("wheel", "build the Python package in target/wheels and try it in an empty environment", python::wheel),
     ("site", "build the documentation site in target/site", page::site),

@@ -1,5 +1,6 @@
 //! Builds `dist/`, the npm package, the documentation site and its pictures.
 
+use crate::need;
 use crate::places::{cache, remove_folder, root, target};
 use crate::run::{Run, announced, is_program};
 use crate::rust;
@@ -9,7 +10,7 @@ use std::net::{Ipv4Addr, TcpListener};
 
 /// `cargo xtask dist`.
 pub fn dist(_: &[&str]) -> Result<()> {
-    let kit = setup::for_page()?;
+    let kit = setup::obtain(&need::PAGE)?;
     build(&kit)?;
     print!("{}", kit.npm("size").checked()?);
     println!("dist/ is ready; serve it from any static host.");
@@ -28,7 +29,7 @@ pub fn trunk(kit: &Kit) -> Run {
 
 /// `cargo xtask serve`: serves the page until interrupted, and rebuilds it when a file changes.
 pub fn serve(_: &[&str]) -> Result<()> {
-    let kit = setup::for_page()?;
+    let kit = setup::obtain(&need::PAGE)?;
     let is_free = |port: &u16| TcpListener::bind((Ipv4Addr::LOCALHOST, *port)).is_ok();
     let port = (8080..8180).find(is_free).context("no free port from 8080 to 8179")?;
     println!("Building the page (the first build takes several minutes). Address: http://127.0.0.1:{port}/");
@@ -43,7 +44,7 @@ pub fn serve(_: &[&str]) -> Result<()> {
 
 /// `cargo xtask npm`: builds the npm package from the page, and packs it for publishing.
 pub fn npm(_: &[&str]) -> Result<()> {
-    let kit = setup::for_page()?;
+    let kit = setup::obtain(&need::PAGE)?;
     build(&kit)?;
     let folder = target().join("npm");
     remove_folder(&folder)?;
@@ -56,7 +57,7 @@ pub fn npm(_: &[&str]) -> Result<()> {
 /// `cargo xtask site`: builds the documentation as a static site into `target/site`.
 pub fn site(_: &[&str]) -> Result<()> {
     let built = announced("site", "builds the command line first, for its reference", || {
-        build_site(&setup::for_page()?)?.checked()
+        build_site(&setup::obtain(&need::PAGE)?)?.checked()
     })?;
     print!("{built}");
     Ok(())
@@ -70,7 +71,7 @@ pub fn build_site(kit: &Kit) -> Result<Run> {
 
 /// `cargo xtask screenshots`: renders the documentation's pictures of the page and of models.
 pub fn screenshots(_: &[&str]) -> Result<()> {
-    let kit = setup::for_tests()?;
+    let kit = setup::obtain(&need::GATE)?;
     build(&kit)?;
     let draw = kit.npm("pictures").env("ROSTO_CLI", rust::command_line()?);
     print!("{}", announced("pictures", "for the documentation", || draw.checked())?);
@@ -82,7 +83,7 @@ pub fn reproduce(_: &[&str]) -> Result<()> {
     let git = |words: &str| Run::new("git").words(words);
     let changes = git("status --porcelain").checked()?;
     ensure!(changes.is_empty(), "commit these changes first; the second build uses the committed files:\n{changes}");
-    build(&setup::for_page()?)?;
+    build(&setup::obtain(&need::PAGE)?)?;
     let other = cache()?.join(format!("another-checkout-{}", std::process::id()));
     git("worktree add --detach").arg(&other).checked()?;
     // Uses the checkout's own target folder.

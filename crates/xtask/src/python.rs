@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 /// Build tools of the package.
 pub const MATURIN: &str = "crates/python/requirements-build.txt";
 const TESTS: &str = "tests/python/requirements.txt";
+const CLUSTERS: &str = "tests/python/night/requirements.txt";
 
 /// Returns the interpreter of an environment with the packages that `requirements` pin. Other pins give another
 /// environment.
@@ -34,11 +35,25 @@ pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
     Ok(python)
 }
 
-/// Returns an interpreter with the package's tests installed, built from the artefacts of the native tests.
+/// Returns an interpreter with the package and what its tests import, built from the artefacts of the native tests.
 pub fn for_tests() -> Result<PathBuf> {
-    let python = environment(&[MATURIN, TESTS], "300 MB: Ray, Dask and Jupyter for the tests")?;
+    with_package(&[MATURIN, TESTS], "60 MB: pandas, pyarrow and mypy for the tests")
+}
+
+/// Like [`for_tests`], with clusters and notebooks.
+pub fn for_clusters() -> Result<PathBuf> {
+    with_package(&[MATURIN, TESTS, CLUSTERS], "300 MB: Ray, Dask and Jupyter for the tests")
+}
+
+fn with_package(requirements: &[&str], why: &str) -> Result<PathBuf> {
+    let python = environment(requirements, why)?;
     install_package(&python, "--profile dev --compatibility linux")?;
     Ok(python)
+}
+
+/// pytest; takes folders as arguments.
+pub fn pytest(python: &Path) -> Run {
+    Run::new(python).words("-m pytest --quiet --disable-warnings --durations=5 -p no:cacheprovider")
 }
 
 /// Builds the package with these options of maturin, and installs it without its dependencies.

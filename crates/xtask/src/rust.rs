@@ -17,8 +17,8 @@ pub struct Tool {
     package: &'static str,
     version: &'static str,
     options: &'static str,
-    /// 1 for programs that process megabytes, 0 for those that mostly wait for compilers.
-    opt_level: &'static str,
+    /// Crates that process megabytes, which are optimised. The others compile faster without.
+    optimised: &'static [&'static str],
     why: &'static str,
 }
 
@@ -27,7 +27,7 @@ pub const TRUNK: Tool = Tool {
     package: "trunk",
     version: "0.22.1",
     options: "--no-default-features --features rustls",
-    opt_level: "0",
+    optimised: &[],
     why: "builds and serves the page",
 };
 
@@ -36,25 +36,21 @@ pub const WASM_BINDGEN: Tool = Tool {
     package: "wasm-bindgen-cli",
     version: "0.2.130",
     options: "",
-    opt_level: "1",
+    optimised: &["walrus", "wasm-bindgen-cli-support", "wasm-encoder", "wasmparser"],
     why: "generates JavaScript bindings",
 };
 
 /// Runs the WebAssembly tests in a browser.
 pub const WASM_PACK: Tool =
-    Tool { package: "wasm-pack", version: "0.15.1", options: "", opt_level: "0", why: "runs the WebAssembly tests" };
-
-/// Drives Firefox; not packaged by Debian.
-pub const GECKODRIVER: Tool =
-    Tool { package: "geckodriver", version: "0.37.1", options: "", opt_level: "0", why: "drives Firefox in a test" };
+    Tool { package: "wasm-pack", version: "0.15.1", options: "", optimised: &[], why: "runs the WebAssembly tests" };
 
 /// Checks licences, bans and sources of dependencies.
 pub const CARGO_DENY: Tool =
-    Tool { package: "cargo-deny", version: "0.20.2", options: "", opt_level: "1", why: "checks dependencies" };
+    Tool { package: "cargo-deny", version: "0.20.2", options: "", optimised: &[], why: "checks dependencies" };
 
 /// Runs the fuzz targets with libFuzzer.
 pub const CARGO_FUZZ: Tool =
-    Tool { package: "cargo-fuzz", version: "0.13.2", options: "", opt_level: "0", why: "runs the fuzz targets" };
+    Tool { package: "cargo-fuzz", version: "0.13.2", options: "", optimised: &[], why: "runs the fuzz targets" };
 
 impl Tool {
     /// Returns the folder that contains the program; installs it if necessary.
@@ -70,11 +66,13 @@ impl Tool {
     /// Installs without `--locked`, because a mirror may lack some of the locked versions.
     fn install(&self, folder: &Path) -> Result<()> {
         // A shared build folder compiles common dependencies once.
-        let install =
-            Run::new("cargo").words("install --ignore-rust-version").args([self.package, "--version", self.version]);
+        let level = |name: &&str| format!("profile.release.package.{name}.opt-level=1");
+        let cargo =
+            self.optimised.iter().map(level).fold(Run::new("cargo"), |run, level| run.arg("--config").arg(level));
+        let install = cargo.words("install --ignore-rust-version").args([self.package, "--version", self.version]);
         let install = install.words(self.options).arg("--root").arg(folder).env("CARGO_TARGET_DIR", build_folder()?);
         let install = install.env("CARGO_PROFILE_RELEASE_LTO", "off").env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
-        let install = install.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", self.opt_level).env("RUSTFLAGS", "");
+        let install = install.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0").env("RUSTFLAGS", "");
         let installed = install.log(self.package).current_dir(cache()?).checked().map(|_| ());
         installed.with_context(|| match is_program("cc") {
             true => "cargo must reach its package registry; you may also need a newer Rust: rustup update",
@@ -171,6 +169,11 @@ pub fn command_line() -> Result<PathBuf> {
 /// A cargo command for the workspace without the façades, which build for wasm32 alone.
 pub fn over_the_workspace(command: &str) -> Run {
     Run::new("cargo").words(command).words("--workspace --exclude rosto-*-web* --locked")
+}
+
+/// Runs the tests of several programs at once, and prints the time of each, if it is installed.
+pub fn test_runner() -> &'static str {
+    if is_program("cargo-nextest") { "nextest run" } else { "test" }
 }
 
 #[cfg(test)]

@@ -1,13 +1,19 @@
-//! Steps of `cargo xtask test`.
+//! Steps of `cargo xtask test`: those of the gate, and with `--all` those of the night.
 //!
-//! Quick checks come first. Later steps use the results of earlier ones: `dist` builds the types for tsc and the page
-//! for the browsers.
+//! Quick checks come first, while tools compile. Later steps use the results of earlier ones: `dist` builds the types
+//! for tsc and the page for the browsers.
 
-use crate::places::{WASM, root, target};
-use crate::run::{Run, is_program};
-use crate::rust::{command_line, over_the_workspace};
+mod gate;
+mod night;
+
+pub use gate::GATE;
+pub use night::NIGHT;
+
+use crate::need::Need;
+use crate::places::root;
+use crate::run::Run;
+use crate::rust::command_line;
 use crate::setup::Kit;
-use crate::{page, python};
 use anyhow::Result;
 use fs_err as fs;
 
@@ -17,73 +23,44 @@ pub struct Step {
     pub name: &'static str,
     /// Description.
     pub what: &'static str,
+    /// What it needs besides Rust, Node.js and the packages of `package-lock.json`; a step without needs runs during the
+    /// set-up.
+    pub needs: &'static [Need],
     /// Prepares the program.
     pub program: fn(&Kit) -> Result<Run>,
 }
 
-/// All steps, in order.
-pub const ALL: [Step; 20] = [
-    step("format", "rustfmt", |_| Ok(cargo("fmt --all --check"))),
-    step("lint", "clippy on the host", |_| {
-        Ok(over_the_workspace("clippy").words("--all-targets --keep-going -- -D warnings"))
-    }),
-    step("lint-js", "Biome on JavaScript", |kit| Ok(kit.npm("lint"))),
-    step("prose", "plain English in docs, comments, names and words", |kit| Ok(kit.npm("prose"))),
-    // Without benchmarks, which run on the host.
-    step("lint-wasm", "clippy on wasm32", |kit| {
-        let clippy = kit.run("cargo").words("clippy --lib --tests --examples --locked --keep-going --target").arg(WASM);
-        Ok(packages(clippy, tested_on_wasm()?).words("-- -D warnings"))
-    }),
-    step("docs", "rustdoc", |_| {
-        Ok(over_the_workspace("doc").words("--no-deps --keep-going").env("RUSTDOCFLAGS", "-D warnings"))
-    }),
-    step("packages", "contents of the published crates", |_| {
-        Ok(cargo("publish --workspace --dry-run --no-verify --allow-dirty --locked"))
-    }),
-    step("native", "native tests", |_| {
-        let runner = if is_program("cargo-nextest") { "nextest run" } else { "test" };
-        Ok(over_the_workspace(runner).words("--tests --no-fail-fast"))
-    }),
-    step("examples", "examples in the documentation", |_| Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))),
-    step("python", "Python package, with clusters and a notebook", |_| {
-        let pytest = Run::new(python::for_tests()?).words("-m pytest --quiet --disable-warnings -p no:cacheprovider");
-        Ok(pytest.arg("tests/python").env("ROSTO_CLI", command_line()?))
-    }),
-    step("site", "documentation site and its links", |kit| {
-        page::build_site(kit)?.checked()?;
-        Ok(kit.npm("site").env("ROSTO_SITE", target().join("site")))
-    }),
-    step("wasm:page", "page module in headless Chromium", |kit| {
-        Ok(packages(in_chromium(kit), tested_on_wasm()?.into_iter().filter(|name| name != WORKER_MODULE)))
-    }),
-    step("wasm:webgl", "WebGL2 module in headless Chromium", |kit| {
-        let webgl = packages(in_chromium(kit), [WEBGL_MODULE, "rosto-viewport"]);
-        Ok(webgl.words("--features rosto-viewport/webgl"))
-    }),
-    step("wasm:worker", "worker module in headless Chromium", |kit| Ok(packages(in_chromium(kit), [WORKER_MODULE]))),
-    step("dist", "build of the page", |kit| Ok(page::trunk(kit).arg("build"))),
-    step("size", "download size against its budget", |kit| Ok(kit.npm("size"))),
-    step("types", "tsc on JavaScript", |kit| Ok(kit.npm("check"))),
-    step("readers", "exported files in other programs", |kit| with_command_line(kit.npm("readers"))),
-    step("e2e", "end-to-end tests in headless Chromium", |kit| with_command_line(kit.npm("e2e"))),
-    step("engines", "page in Chromium, Firefox and WebKit with WebGL2", |kit| Ok(kit.npm("engines"))),
-];
+const fn step(
+    name: &'static str,
+    what: &'static str,
+    needs: &'static [Need],
+    program: fn(&Kit) -> Result<Run>,
+) -> Step {
+    Step { name, what, needs, program }
+}
 
-/// The page's module with the feature `webgl`. Built separately, because cargo would enable the feature for the others too.
-const WEBGL_MODULE: &str = "rosto-studio-webgl";
-const WORKER_MODULE: &str = "rosto-vision-web";
+impl Step {
+    /// Whether `name` is this step's name, or the part of it before the colon.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.name == name || self.name.split(':').next() == Some(name)
+    }
+}
 
-const fn step(name: &'static str, what: &'static str, program: fn(&Kit) -> Result<Run>) -> Step {
-    Step { name, what, program }
+fn cargo(words: &str) -> Run {
+    Run::new("cargo").words(words)
 }
 
 fn with_command_line(run: Run) -> Result<Run> {
     Ok(run.env("ROSTO_CLI", command_line()?))
 }
 
-fn cargo(words: &str) -> Run {
-    Run::new("cargo").words(words)
+fn packages(run: Run, names: impl IntoIterator<Item = impl AsRef<str>>) -> Run {
+    names.into_iter().fold(run, |run, name| run.args(["--package", name.as_ref()]))
 }
+
+const WORKER_MODULE: &str = "rosto-vision-web";
+/// The page's module with the feature `webgl`. Built separately, because cargo would enable the feature for the others too.
+const WEBGL_MODULE: &str = "rosto-studio-webgl";
 
 /// Tests of a module with that module's features and profile, so that both builds share artefacts.
 fn in_chromium(kit: &Kit) -> Run {
@@ -92,10 +69,6 @@ fn in_chromium(kit: &Kit) -> Run {
     let test = driver.iter().fold(test, |test, driver| test.arg("--chromedriver").arg(driver));
     let test = test.arg(root().join("crates/viewport")).words("--locked --profile web");
     test.env("WASM_BINDGEN_TEST_TIMEOUT", "600")
-}
-
-fn packages(run: Run, names: impl IntoIterator<Item = impl AsRef<str>>) -> Run {
-    names.into_iter().fold(run, |run, name| run.args(["--package", name.as_ref()]))
 }
 
 /// Packages with browser tests, sorted.

@@ -1,14 +1,17 @@
 //! System programs, installed from Debian packages if they are missing.
 
-use crate::run::{Run, announced, find, is_program};
+use crate::need::Need;
+use crate::places::{cache, remove_folder};
+use crate::run::{Run, announced, causes, find, is_program};
 use anyhow::{Context, Result, ensure};
-use std::path::PathBuf;
+use fs_err as fs;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// A program that the tests use: its name, alternative executables (`$NAME` is an environment variable), Debian
+/// A program that a need consists of: its name, alternative executables (`$NAME` is an environment variable), Debian
 /// packages, and its purpose.
-type Program = (&'static str, &'static [&'static str], &'static str, &'static str);
+type Program = (Need, &'static str, &'static [&'static str], &'static str, &'static str);
 
 const CHROMIUM: [&str; 7] = [
     "$ROSTO_BROWSER",
@@ -21,28 +24,101 @@ const CHROMIUM: [&str; 7] = [
 ];
 const SCREEN: &str = "xvfb libgl1-mesa-dri libegl1";
 const PROGRAMS: [Program; 6] = [
-    ("Chromium", &CHROMIUM, "chromium", "runs the end-to-end tests"),
-    ("Chromium's driver", &["$CHROMEDRIVER", "chromedriver"], "chromium-driver", "runs the WebAssembly tests"),
-    ("Xvfb", &["Xvfb"], SCREEN, "display for Firefox and WebKit"),
-    ("Firefox", &["firefox-esr", "firefox"], "firefox-esr", "runs a test of the page"),
-    ("WebKit", &["WebKitWebDriver"], "webkit2gtk-driver", "runs a test of the page"),
-    ("PrusaSlicer, 92 MB", &["prusa-slicer"], "prusa-slicer", "slices printable bodies in a test"),
+    (Need::Chromium, "Chromium", &CHROMIUM, "chromium", "runs the end-to-end tests"),
+    (
+        Need::Chromium,
+        "Chromium's driver",
+        &["$CHROMEDRIVER", "chromedriver"],
+        "chromium-driver",
+        "runs the WebAssembly tests",
+    ),
+    (Need::Engines, "Xvfb", &["Xvfb"], SCREEN, "display for Firefox and WebKit"),
+    (Need::Engines, "Firefox", &["firefox-esr", "firefox"], "firefox-esr", "runs a test of the page"),
+    (Need::Engines, "WebKit", &["WebKitWebDriver"], "webkit2gtk-driver", "runs a test of the page"),
+    (Need::Readers, "PrusaSlicer, 92 MB", &["prusa-slicer"], "prusa-slicer", "slices printable bodies in a test"),
 ];
+/// Age at which package lists are refreshed; older ones install an older browser.
+const LISTS_LAST: Duration = Duration::from_secs(24 * 3600);
+/// Packages whose newest version the tests use.
+const NEWEST: &str = "chromium chromium-driver";
 
 /// Installs missing programs; returns the errors, because tests without those programs still run.
-pub fn obtain() -> Vec<anyhow::Error> {
+pub fn obtain(needs: &[Need]) -> Vec<anyhow::Error> {
+    if needs.contains(&Need::Chromium) {
+        refresh();
+    }
     let is_here = |name: &&str| match name.strip_prefix('$') {
         Some(variable) => std::env::var_os(variable).is_some(),
         None => is_program(name),
     };
-    let missing = PROGRAMS.iter().filter(|(_, names, ..)| !names.iter().any(is_here));
-    missing.filter_map(|(name, _, packages, why)| announced(name, why, || install(packages)).err()).collect()
+    let wanted = PROGRAMS.iter().filter(|(need, ..)| needs.contains(need));
+    let missing = wanted.filter(|(_, _, names, ..)| !names.iter().any(is_here));
+    missing.filter_map(|(_, name, _, packages, why)| announced(name, why, || install(packages)).err()).collect()
 }
 
-/// Path of Chromium or Chrome.
+/// Updates old package lists, and an installed Chromium. Without apt-get or its rights, the tests use what is here.
+fn refresh() {
+    let is_chosen = std::env::var_os("ROSTO_BROWSER").is_some();
+    if is_chosen || !is_program("apt-get") || lists_are_new().unwrap_or(false) {
+        return;
+    }
+    let refreshed = announced("package lists", "older than a day; the tests use the newest browser", || {
+        update()?;
+        apt_get("install --only-upgrade", NEWEST)
+    });
+    if let Err(why) = refreshed {
+        println!("  · {}", causes(&why));
+    }
+}
+
+/// File that marks the time of the last update.
+fn lists_stamp() -> Result<PathBuf> {
+    Ok(cache()?.join("package-lists"))
+}
+
+fn lists_are_new() -> Result<bool> {
+    Ok(fs::metadata(lists_stamp()?)?.modified()?.elapsed()? < LISTS_LAST)
+}
+
+fn update() -> Result<()> {
+    apt_get("update", "")?;
+    fs::create_dir_all(cache()?)?;
+    Ok(fs::write(lists_stamp()?, "")?)
+}
+
+/// Path of Chromium or Chrome; prints its version.
 pub fn chromium() -> Option<PathBuf> {
     let named = std::env::var_os("ROSTO_BROWSER").map(PathBuf::from);
-    named.or_else(|| CHROMIUM.into_iter().find_map(find))
+    let program = named.or_else(|| CHROMIUM.into_iter().find_map(find))?;
+    let version = Run::new(&program).arg("--version").log("browser").checked().unwrap_or_default();
+    println!("  · browser of the tests: {} ({})", version.trim(), program.display());
+    Some(program)
+}
+
+/// The oldest Chromium that Debian offers, unpacked into the cache; or `$ROSTO_OLDEST_BROWSER`.
+pub fn oldest_chromium() -> Result<PathBuf> {
+    if let Some(named) = std::env::var_os("ROSTO_OLDEST_BROWSER") {
+        return Ok(named.into());
+    }
+    let offers = Run::new("apt-cache").words("madison chromium").checked().context("set ROSTO_OLDEST_BROWSER")?;
+    let last = offers.lines().last().and_then(|line| line.split('|').nth(1));
+    let version = last.context("Debian offers no Chromium; set ROSTO_OLDEST_BROWSER")?.trim();
+    let folder = cache()?.join(format!("chromium-{version}"));
+    let program = folder.join("usr/lib/chromium/chromium");
+    if !program.is_file() {
+        announced(&format!("Chromium {version}"), "the oldest browser of the tests", || unpack(version, &folder))?;
+    }
+    Ok(program)
+}
+
+fn unpack(version: &str, folder: &Path) -> Result<()> {
+    remove_folder(folder)?;
+    fs::create_dir_all(folder)?;
+    for package in ["chromium", "chromium-common"] {
+        Run::new("apt-get").arg("download").arg(format!("{package}={version}")).current_dir(folder).checked()?;
+    }
+    let packages = "for package in *.deb; do dpkg-deb -x \"$package\" . && rm \"$package\"; done";
+    Run::new("sh").args(["-c", packages]).current_dir(folder).checked().map(|_| ())
 }
 
 /// Installs packages with apt-get, as root or through `sudo -n`.
@@ -51,8 +127,8 @@ pub fn install(packages: &str) -> Result<()> {
     static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
     let _guard = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let installed = apt_get("install", packages).or_else(|_| {
-        // The package lists may be missing or outdated.
-        apt_get("update", "")?;
+        // The package lists may be missing.
+        update()?;
         apt_get("install", packages)
     });
     installed.with_context(|| format!("install it by hand (on Debian: apt-get install {packages})"))

@@ -1,63 +1,113 @@
-//! `cargo xtask test`: runs all steps or the named ones.
+//! `cargo xtask test`: runs the gate, everything, or the named steps.
 
+use crate::need::Need;
+use crate::passed::Passed;
+use crate::report::{Outcome, counts, table};
 use crate::run::{causes, elapsed, last_lines};
 use crate::setup::{self, Kit};
-use crate::steps::{ALL, Step};
+use crate::steps::{GATE, NIGHT, Step};
+use crate::{assets, rust};
 use anyhow::{Result, bail, ensure};
-use std::time::Instant;
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// Lines of output shown when a step fails, and again at the end, in case the log is truncated at the start.
 const SHOWN_LINES: [usize; 2] = [400, 40];
 
-/// Runs all steps or the named ones, and continues after a failure.
+/// Runs the gate, with `--all` everything that has not passed on the present files, or the named steps. Continues after
+/// a failure.
 pub fn run(wanted: &[&str]) -> Result<()> {
-    let unknown = wanted.iter().find(|name| !ALL.iter().any(|step| step.is_called(name)));
-    if let Some(name) = unknown {
-        bail!("unknown step `{name}`; the steps are {}", ALL.map(|step| step.name).join(", "));
-    }
-    let steps = ALL.iter().filter(|step| wanted.is_empty() || wanted.iter().any(|name| step.is_called(name)));
-    let kit = setup::for_tests()?;
-    let results: Vec<_> = steps.map(|step| (step.name, step.run(&kit))).collect();
-    let failed: Vec<&str> = results.iter().filter(|(_, result)| result.is_err()).map(|(name, _)| *name).collect();
-    for (name, result) in &results {
-        if let Err(output) = result {
-            println!("\n✗ {name}\n{}", last_lines(output, SHOWN_LINES[1]));
+    let started = Instant::now();
+    let steps = chosen(wanted)?;
+    let mut passed = Passed::read()?;
+    let is_known = |step: &&Step| wanted == ["--all"] && passed.contains(step.name);
+    let (known, due): (Vec<&Step>, Vec<&Step>) = steps.into_iter().partition(is_known);
+    let mut outcomes: Vec<_> =
+        known.iter().map(|step| Outcome { step: step.name, took: None, output: Ok(String::new()) }).collect();
+    let missing = perform(&due, |outcome| {
+        if outcome.output.is_ok() {
+            passed.add(outcome.step)?;
         }
-    }
-    kit.report_missing();
-    println!("\nsteps: {} passed, {} failed", results.len() - failed.len(), failed.len());
+        outcomes.push(outcome);
+        Ok(())
+    })?;
+    report(&outcomes, started.elapsed());
+    missing.report_missing();
+    let failed: Vec<&str> =
+        outcomes.iter().filter(|outcome| outcome.output.is_err()).map(|outcome| outcome.step).collect();
+    println!("\nsteps: {} passed, {} failed", outcomes.len() - failed.len(), failed.len());
     ensure!(failed.is_empty(), "failed: {}", failed.join(", "));
     Ok(())
 }
 
-impl Step {
-    /// Whether `name` is this step's name, or the part of it before the colon.
-    fn is_called(&self, name: &str) -> bool {
-        self.name == name || self.name.split(':').next() == Some(name)
+fn chosen(wanted: &[&str]) -> Result<Vec<&'static Step>> {
+    let all = || GATE.iter().chain(&NIGHT);
+    match wanted {
+        [] => Ok(GATE.iter().collect()),
+        ["--all"] => Ok(all().collect()),
+        names => {
+            if let Some(name) = names.iter().find(|name| !all().any(|step| step.is_called(name))) {
+                let known: Vec<&str> = all().map(|step| step.name).collect();
+                bail!("unknown step `{name}`; the steps are {}", known.join(", "));
+            }
+            Ok(all().filter(|step| names.iter().any(|name| step.is_called(name))).collect())
+        }
     }
+}
 
-    /// Runs the step; returns its output, on failure as the error.
-    fn run(&self, kit: &Kit) -> Result<String, String> {
+/// Runs steps in order; those without needs during the set-up. Returns the kit, which knows what could not be installed.
+fn perform(steps: &[&Step], mut done: impl FnMut(Outcome) -> Result<()>) -> Result<Kit> {
+    let (quick, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.needs.is_empty());
+    let needs: Vec<Need> = others.iter().flat_map(|step| step.needs).copied().collect();
+    rust::components()?;
+    assets::npm()?;
+    let started = Instant::now();
+    let kit = thread::scope(|scope| -> Result<Kit> {
+        let kit = scope.spawn(|| if needs.is_empty() { Ok(Kit::default()) } else { setup::obtain(&needs) });
+        for step in quick {
+            done(step.run(&Kit::default()))?;
+        }
+        kit.join().expect("invariant: setting up does not panic")
+    })?;
+    done(Outcome { step: "set-up", took: Some(started.elapsed()), output: Ok(String::new()) })?;
+    for step in others {
+        done(step.run(&kit))?;
+    }
+    Ok(kit)
+}
+
+/// Prints the table, and the last lines of each failure.
+fn report(outcomes: &[Outcome], total: Duration) {
+    for Outcome { step, output, .. } in outcomes {
+        if let Err(output) = output {
+            println!("\n✗ {step}\n{}", last_lines(output, SHOWN_LINES[1]));
+        }
+    }
+    println!("\n{}", table(outcomes, total));
+}
+
+impl Step {
+    /// Runs the step.
+    fn run(&self, kit: &Kit) -> Outcome {
         println!("▸ {} ({})", self.name, self.what);
         let started = Instant::now();
         let ended = (self.program)(kit).and_then(|program| {
             let program = program.env("CARGO_TERM_COLOR", "never").env("NO_COLOR", "1");
             program.log(&self.name.replace(':', "-")).run()
         });
-        let result = match ended {
+        let output = match ended {
             Ok(ended) if ended.success => Ok(ended.output),
             Ok(ended) => Err(ended.output),
             Err(error) => Err(causes(&error)),
         };
-        let took = elapsed(started.elapsed());
-        match &result {
-            // Test runners end with such a line; cargo also prints one for each crate without tests.
-            Ok(output) => match output.lines().rfind(|line| line.contains("passed") && !line.contains(" 0 passed")) {
-                Some(counts) => println!("  ✓ {}, {took}: {}", self.name, counts.trim()),
-                None => println!("  ✓ {}, {took}", self.name),
+        let took = started.elapsed();
+        match &output {
+            Ok(output) => match counts(output) {
+                Some(counts) => println!("  ✓ {}, {}: {counts}", self.name, elapsed(took)),
+                None => println!("  ✓ {}, {}", self.name, elapsed(took)),
             },
-            Err(output) => println!("{}\n  ✗ {}, {took}", last_lines(output, SHOWN_LINES[0]), self.name),
+            Err(output) => println!("{}\n  ✗ {}, {}", last_lines(output, SHOWN_LINES[0]), self.name, elapsed(took)),
         }
-        result
+        Outcome { step: self.name, took: Some(took), output }
     }
 }

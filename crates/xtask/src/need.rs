@@ -1,0 +1,25 @@
+//! What tasks need.
+
+/// What a task needs besides Rust and Node.js.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Need {
+    /// npm packages, face networks and the sample portrait.
+    Assets,
+    /// Trunk and a compiler for wasm32.
+    Page,
+    /// The WebAssembly tests' runner.
+    WasmPack,
+    /// The newest Chromium, and its driver.
+    Chromium,
+    /// The oldest Chromium that the tests support.
+    OldChromium,
+    /// Firefox and WebKit.
+    Engines,
+    /// Programs that open exported files.
+    Readers,
+}
+
+/// Needs of the page.
+pub const PAGE: [Need; 2] = [Need::Assets, Need::Page];
+/// Needs of the gate.
+pub const GATE: [Need; 4] = [Need::Assets, Need::Page, Need::WasmPack, Need::Chromium];

@@ -1,0 +1,51 @@
+use super::{Step, WORKER_MODULE, cargo, in_chromium, packages, step, tested_on_wasm, with_command_line};
+use crate::need::Need::{Assets, Chromium, Page, WasmPack};
+use crate::page;
+use crate::places::WASM;
+use crate::python;
+use crate::rust::{over_the_workspace, test_runner};
+
+/// Crates with code for wasm32 alone: their libraries differ there.
+const WASM_CODE: [&str; 3] = ["rosto-studio-web", "rosto-studio-webgl", "rosto-viewport"];
+
+/// What a change can break in the product, in order.
+pub const GATE: [Step; 15] = [
+    step("format", "rustfmt", &[], |_| Ok(cargo("fmt --all --check"))),
+    step("lint-js", "Biome on JavaScript", &[], |kit| Ok(kit.npm("lint"))),
+    step("prose", "plain English in docs, comments, names and words", &[], |kit| Ok(kit.npm("prose"))),
+    step("units", "functions of the page without a browser", &[], |kit| Ok(kit.npm("units"))),
+    // Without benchmarks, whose libraries nothing else here compiles.
+    step("lint", "clippy on the host", &[], |_| {
+        let clippy = cargo("clippy --workspace --locked --lib --bins --tests --examples --keep-going");
+        Ok(WASM_CODE.iter().fold(clippy, |clippy, name| clippy.args(["--exclude", name])).words("-- -D warnings"))
+    }),
+    step(
+        "native",
+        "native tests",
+        &[Assets],
+        |_| Ok(over_the_workspace(test_runner()).words("--tests --no-fail-fast")),
+    ),
+    step("examples", "examples in the documentation", &[Assets], |_| {
+        Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
+    }),
+    step("python", "Python package", &[Assets], |_| {
+        with_command_line(python::pytest(&python::for_tests()?).arg("tests/python").arg("--ignore=tests/python/night"))
+    }),
+    // Of the crates with code for wasm32 alone; the other façade is checked on the host.
+    step("lint-wasm", "clippy on wasm32", &[Page], |kit| {
+        let clippy = kit.run("cargo").words("clippy --lib --tests --locked --keep-going --target").arg(WASM);
+        Ok(packages(clippy, WASM_CODE).words("-- -D warnings"))
+    }),
+    step("dist", "build of the page", &[Page], |kit| Ok(page::trunk(kit).arg("build"))),
+    step("size", "download size against its budget", &[Page], |kit| Ok(kit.npm("size"))),
+    step("types", "tsc on JavaScript", &[Page], |kit| Ok(kit.npm("check"))),
+    step("wasm:page", "page module in headless Chromium", &[Page, WasmPack, Chromium], |kit| {
+        Ok(packages(in_chromium(kit), tested_on_wasm()?.into_iter().filter(|name| name != WORKER_MODULE)))
+    }),
+    step("wasm:worker", "worker module in headless Chromium", &[Page, WasmPack, Chromium], |kit| {
+        Ok(packages(in_chromium(kit), [WORKER_MODULE]))
+    }),
+    step("e2e", "usual end-to-end tests in headless Chromium", &[Page, Chromium], |kit| {
+        with_command_line(kit.npm("e2e"))
+    }),
+];
