@@ -3,6 +3,8 @@ import { test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
 import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 
+/** Longer than the page waits for a lock. */
+const LATE_MS = 2500;
 /** Longer than the page's timeouts for database and locks. */
 const TIMEOUT_S = 8;
 
@@ -152,6 +154,17 @@ test("work is saved and reopened even if locks do not respond", { tag: "@rare" }
   assert.deepEqual(await visitor.work(), work);
 });
 
+test("a lock that a busy browser grants late is used", { tag: "@rare" }, async ({ open }) => {
+  const visitor = await open({ scripts: [delayLocks] });
+  await visitor.openFace();
+  await visitor.move("nose tip", "z", 9);
+  await untilSaved(visitor.page);
+  await visitor.page.waitForTimeout(LATE_MS);
+  await visitor.move("bottom of the chin", "y", -4);
+  await untilSaved(visitor.page);
+  assert.deepEqual((await storedWorks(visitor.page)).map(({ isLocked }) => isLocked), [true]);
+});
+
 test("the last saved work counts as the latest, regardless of clock changes", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
   await first.openFace();
@@ -264,6 +277,25 @@ function countAborts() {
   IDBTransaction.prototype.abort = function () {
     globalThis.aborts += 1;
     abort.call(this);
+  };
+}
+
+/** Runs in the page: locks are held at once, but the page learns of it after its limit of a second. */
+function delayLocks() {
+  const { locks } = navigator;
+  const [request, query] = [locks.request.bind(locks), locks.query.bind(locks)];
+  const after = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  locks.request = (name, ...rest) => {
+    const [hold] = rest.slice(-1);
+    if (!name.startsWith("rosto-slot-")) return request(name, ...rest);
+    return request(name, ...rest.slice(0, -1), async (lock) => {
+      await after(1200);
+      return hold(lock);
+    });
+  };
+  locks.query = async () => {
+    await after(500);
+    return query();
   };
 }
 

@@ -128,14 +128,20 @@ export function writeDraft(slot: string, work: Work) {
  */
 export async function lockSlot(slot: string) {
   const controller = new AbortController();
+  let own: (() => void) | undefined;
   const granted = new Promise<() => void>((resolve, reject) => {
-    const hold = () => new Promise<void>((release) => resolve(release));
+    const hold = () => new Promise<void>((release) => {
+      own = release;
+      resolve(release);
+    });
     const request = async () => navigator.locks.request(lockOf(slot), { signal: controller.signal }, hold);
     request().catch(reject);
   });
   return withTimeout(LOCK_MS, granted, "locking a slot").catch(async () => {
     controller.abort();
-    return (await lockedAmong([slot])).has(slot) ? undefined : () => {};
+    const isHeld = (await lockedAmong([slot])).has(slot);
+    // A busy browser may have granted it after the limit.
+    return own ?? (isHeld ? undefined : () => {});
   });
 }
 
