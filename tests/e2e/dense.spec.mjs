@@ -18,7 +18,7 @@ async function choosePoints(visitor, density) {
   await visitor.unfold("section-landmark");
   await page.check("input[name='selection'][value='point']", { force: true });
   await page.selectOption("#point-density", String(density));
-  await page.waitForFunction(() => /anywhere/.test(document.getElementById("landmark-help").textContent));
+  await page.waitForFunction(() => /anywhere/.test(document.getElementById("selection-help").textContent));
   // The denser mesh follows after its message is painted.
   await visitor.frames(3);
 }
