@@ -45,8 +45,9 @@ const NOTES: &str = "
 Each task installs what it needs. Tools go to $XDG_CACHE_HOME/rosto (default: ~/.cache/rosto), which all checkouts share.
 On Debian, missing system packages are installed with apt-get.
 
-  ROSTO_BROWSER  Chromium or Chrome for the tests
-  CHROMEDRIVER   ChromeDriver of the same version
+  ROSTO_BROWSER         Chromium or Chrome for the tests; default: the newest of the system
+  CHROMEDRIVER          ChromeDriver of the same version
+  ROSTO_OLDEST_BROWSER  Chromium for the step `e2e:oldest`; default: the oldest that Debian offers
 ";
 
 fn main() -> ExitCode {

@@ -1,6 +1,6 @@
-//! What tasks need.
+//! Needs of tasks.
 
-/// What a task needs besides Rust and Node.js.
+/// A need of a task, in addition to Rust and Node.js.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Need {
     /// npm packages, face networks and the sample portrait.

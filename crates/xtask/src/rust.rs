@@ -171,9 +171,14 @@ pub fn over_the_workspace(command: &str) -> Run {
     Run::new("cargo").words(command).words("--workspace --exclude rosto-*-web* --locked")
 }
 
-/// Runs the tests of several programs at once, and prints the time of each, if it is installed.
-pub fn test_runner() -> &'static str {
-    if is_program("cargo-nextest") { "nextest run" } else { "test" }
+/// Native tests, in several programs at once if nextest is installed.
+pub fn native_tests(cases: u32, includes_slow: bool) -> Run {
+    let (runner, slow) = match is_program("cargo-nextest") {
+        true => ("nextest run --tests --no-fail-fast", " --run-ignored all"),
+        false => ("test --tests --no-fail-fast", " -- --include-ignored"),
+    };
+    let tests = over_the_workspace(runner).words(if includes_slow { slow } else { "" });
+    tests.env("PROPTEST_CASES", cases.to_string())
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub struct Kit {
     missing: Vec<anyhow::Error>,
 }
 
-/// `cargo xtask setup`: what the page, the gate and the pictures need.
+/// `cargo xtask setup`: the needs of the page, the gate and the pictures.
 pub fn run(_: &[&str]) -> Result<()> {
     let started = Instant::now();
     let kit = obtain(&GATE)?;
@@ -34,7 +34,7 @@ pub fn run(_: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// Installs what is missing. Packages download while tools compile.
+/// Installs missing tools and files. Packages download while tools compile.
 pub fn obtain(needs: &[Need]) -> Result<Kit> {
     thread::scope(|scope| {
         let system = scope.spawn(|| system::obtain(needs));

@@ -23,8 +23,7 @@ pub struct Step {
     pub name: &'static str,
     /// Description.
     pub what: &'static str,
-    /// What it needs besides Rust, Node.js and the packages of `package-lock.json`; a step without needs runs during the
-    /// set-up.
+    /// Needs in addition to Rust, Node.js and the packages of `package-lock.json`; a step without any runs during the set-up.
     pub needs: &'static [Need],
     /// Prepares the program.
     pub program: fn(&Kit) -> Result<Run>,

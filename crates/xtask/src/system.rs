@@ -56,7 +56,7 @@ pub fn obtain(needs: &[Need]) -> Vec<anyhow::Error> {
     missing.filter_map(|(_, name, _, packages, why)| announced(name, why, || install(packages)).err()).collect()
 }
 
-/// Updates old package lists, and an installed Chromium. Without apt-get or its rights, the tests use what is here.
+/// Updates old package lists, and an installed Chromium. Without apt-get or its rights, the tests use the installed one.
 fn refresh() {
     let is_chosen = std::env::var_os("ROSTO_BROWSER").is_some();
     if is_chosen || !is_program("apt-get") || lists_are_new().unwrap_or(false) {

@@ -19,7 +19,7 @@ const SHOWN_LINES: [usize; 2] = [400, 40];
 pub fn run(wanted: &[&str]) -> Result<()> {
     let started = Instant::now();
     let steps = chosen(wanted)?;
-    let mut passed = Passed::read()?;
+    let mut passed = Passed::read();
     let is_known = |step: &&Step| wanted == ["--all"] && passed.contains(step.name);
     let (known, due): (Vec<&Step>, Vec<&Step>) = steps.into_iter().partition(is_known);
     let mut outcomes: Vec<_> =

@@ -133,6 +133,7 @@ proptest! {
     }
 
     #[test]
+    #[ignore = "slow; runs at night"]
     fn the_model_coincides_with_the_lead_photo(seed in 0.0..60.0f64, yaw_deg in -14.0..14.0f64, others in 0..4usize) {
         let shots: Vec<Shot> = [45.0, -30.0, yaw_deg, 20.0].into_iter().rev().take(others + 1).map(turned).collect();
         for lens in [lens(), PhotoLens::Estimated, PhotoLens::Parallel, PhotoLens::Distance(0.35)] {
@@ -155,6 +156,7 @@ proptest! {
     }
 
     #[test]
+    #[ignore = "slow; runs at night"]
     fn the_order_of_the_photos_does_not_matter(seed in 0.0..60.0f64) {
         let shots = [turned(-35.0), turned(2.0), turned(28.0), turned(50.0)].map(|shot| Shot { noise_px: 1.0, seed, ..shot });
         let reference = of(&head(seed), &shots);
@@ -166,6 +168,7 @@ proptest! {
     }
 
     #[test]
+    #[ignore = "slow; runs at night"]
     fn duplicate_photos_do_not_change_the_model(seed in 0.0..60.0f64) {
         let head = head(seed);
         let shots = ROUND.map(|shot| Shot { noise_px: 1.0, seed, ..shot });

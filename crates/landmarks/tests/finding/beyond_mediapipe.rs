@@ -59,6 +59,7 @@ fn dark_low_contrast_noisy_and_blurred_faces_are_found() {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn no_face_is_found_in_pictures_without_faces() {
     let finder = support::attention_finder();
     let portrait = support::assets::portrait();
@@ -104,6 +105,7 @@ fn a_prominent_doubtful_face_comes_after_certain_ones() {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn at_least_counts_faces_beyond_the_limit() {
     let finder = support::attention_finder();
     let (cell_px, columns, rows) = (256, 8, 5);

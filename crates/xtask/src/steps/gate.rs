@@ -3,12 +3,15 @@ use crate::need::Need::{Assets, Chromium, Page, WasmPack};
 use crate::page;
 use crate::places::WASM;
 use crate::python;
-use crate::rust::{over_the_workspace, test_runner};
+use crate::rust::{native_tests, over_the_workspace};
 
 /// Crates with code for wasm32 alone: their libraries differ there.
 const WASM_CODE: [&str; 3] = ["rosto-studio-web", "rosto-studio-webgl", "rosto-viewport"];
 
-/// What a change can break in the product, in order.
+/// Cases of a property test.
+const GATE_CASES: u32 = 64;
+
+/// Checks of everything that a change can break in the product, in order.
 pub const GATE: [Step; 15] = [
     step("format", "rustfmt", &[], |_| Ok(cargo("fmt --all --check"))),
     step("lint-js", "Biome on JavaScript", &[], |kit| Ok(kit.npm("lint"))),
@@ -19,19 +22,14 @@ pub const GATE: [Step; 15] = [
         let clippy = cargo("clippy --workspace --locked --lib --bins --tests --examples --keep-going");
         Ok(WASM_CODE.iter().fold(clippy, |clippy, name| clippy.args(["--exclude", name])).words("-- -D warnings"))
     }),
-    step(
-        "native",
-        "native tests",
-        &[Assets],
-        |_| Ok(over_the_workspace(test_runner()).words("--tests --no-fail-fast")),
-    ),
+    step("native", "native tests, without slow ones", &[Assets], |_| Ok(native_tests(GATE_CASES, false))),
     step("examples", "examples in the documentation", &[Assets], |_| {
         Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
     }),
     step("python", "Python package", &[Assets], |_| {
         with_command_line(python::pytest(&python::for_tests()?).arg("tests/python").arg("--ignore=tests/python/night"))
     }),
-    // Of the crates with code for wasm32 alone; the other façade is checked on the host.
+    // Only crates with code for wasm32 alone; the worker's façade is checked on the host.
     step("lint-wasm", "clippy on wasm32", &[Page], |kit| {
         let clippy = kit.run("cargo").words("clippy --lib --tests --locked --keep-going --target").arg(WASM);
         Ok(packages(clippy, WASM_CODE).words("-- -D warnings"))

@@ -2,7 +2,7 @@ use super::{Step, WEBGL_MODULE, cargo, in_chromium, packages, step, with_command
 use crate::need::Need::{Assets, Chromium, Engines, OldChromium, Page, Readers, WasmPack};
 use crate::places::target;
 use crate::run::Run;
-use crate::rust::{CARGO_FUZZ, over_the_workspace, test_runner};
+use crate::rust::{CARGO_FUZZ, native_tests, over_the_workspace};
 use crate::{page, python};
 use anyhow::Result;
 use std::time::{Duration, UNIX_EPOCH};
@@ -10,6 +10,8 @@ use std::time::{Duration, UNIX_EPOCH};
 const DAY: Duration = Duration::from_secs(24 * 3600);
 /// Time for each of the five fuzz targets, ten minutes in all.
 const FUZZ_SECONDS: u32 = 120;
+/// Cases of a property test.
+const NIGHT_CASES: u32 = 512;
 const MONKEY_LIMIT: Duration = Duration::from_secs(2 * 3600);
 
 /// Slow, downloaded or random checks, and those of the documentation.
@@ -30,9 +32,8 @@ pub const NIGHT: [Step; 17] = [
     step("clusters", "Python package in clusters and a notebook", &[Assets], |_| {
         Ok(python::pytest(&python::for_clusters()?).arg("tests/python/night"))
     }),
-    step("properties", "native tests with fresh seeds", &[Assets], |_| {
-        let tests = over_the_workspace(test_runner()).words("--tests --no-fail-fast");
-        Ok(tests.env("PROPTEST_RNG_SEED", seed()))
+    step("properties", "all native tests, with fresh seeds", &[Assets], |_| {
+        Ok(native_tests(NIGHT_CASES, true).env("PROPTEST_RNG_SEED", seed()))
     }),
     step("fuzz:picture", "damaged photos", &[Assets], |_| fuzz("picture")),
     step("fuzz:profile", "damaged colour profiles", &[Assets], |_| fuzz("profile")),
