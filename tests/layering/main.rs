@@ -6,6 +6,7 @@
 
 mod cycles;
 mod facts;
+mod features;
 mod invariants;
 
 use facts::Facts;
