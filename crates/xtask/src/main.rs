@@ -47,7 +47,7 @@ On Debian, missing system packages are installed with apt-get.
 
   ROSTO_BROWSER         Chromium or Chrome for the tests; default: the newest of the system
   CHROMEDRIVER          ChromeDriver of the same version
-  ROSTO_OLDEST_BROWSER  Chromium for the step `e2e:oldest`; default: the oldest that Debian offers
+  ROSTO_OLDEST_BROWSER  Chromium for the step `oldest`; default: the oldest that Debian offers
 ";
 
 fn main() -> ExitCode {

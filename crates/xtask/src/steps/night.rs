@@ -16,7 +16,7 @@ const MONKEY_LIMIT: Duration = Duration::from_secs(2 * 3600);
 
 /// Slow, downloaded or random checks, and those of the documentation.
 pub const NIGHT: [Step; 17] = [
-    step("lint:benches", "clippy on the benchmarks", &[Assets], |_| {
+    step("benches", "clippy on the benchmarks", &[Assets], |_| {
         Ok(over_the_workspace("clippy").words("--benches --keep-going -- -D warnings"))
     }),
     step("docs", "rustdoc", &[Assets], |_| {
@@ -47,10 +47,10 @@ pub const NIGHT: [Step; 17] = [
     step("readers", "exported files in other programs", &[Page, Chromium, Readers], |kit| {
         with_command_line(kit.npm("readers"))
     }),
-    step("e2e:rare", "rare end-to-end tests in headless Chromium", &[Page, Chromium], |kit| {
+    step("rare", "rare end-to-end tests in headless Chromium", &[Page, Chromium], |kit| {
         with_command_line(kit.npm("e2e:rare"))
     }),
-    step("e2e:oldest", "usual end-to-end tests in the oldest Chromium", &[Page, Chromium, OldChromium], |kit| {
+    step("oldest", "usual end-to-end tests in the oldest Chromium", &[Page, Chromium, OldChromium], |kit| {
         let oldest = kit.program("ROSTO_OLDEST_BROWSER")?;
         with_command_line(kit.npm("e2e").env("ROSTO_BROWSER", oldest))
     }),
