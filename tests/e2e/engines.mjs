@@ -2,7 +2,6 @@
 // Screenshots go to target/engines.
 import { mkdir } from "node:fs/promises";
 import path from "node:path";
-import { error as errors } from "selenium-webdriver";
 import { ENGINES, openDisplay, start } from "./engines/browsers.mjs";
 import { runCoreScenario, runElementScenario } from "./engines/scenarios.mjs";
 import { installed, SITE } from "./package.mjs";
@@ -39,8 +38,7 @@ async function visit(name) {
       console.log(`✓ ${browser.version}, drawn by ${drawnBy} (${((performance.now() - started) / 1000).toFixed(0)} s)`);
       return true;
     } catch (error) {
-      // After a crash of the browser, the driver reports an unknown session.
-      const willRetry = error instanceof errors.NoSuchSessionError && launch < MAX_LAUNCHES;
+      const willRetry = browser?.crashed(error) && launch < MAX_LAUNCHES;
       console.log(willRetry ? `${name} crashed; launching it again` : `✗ ${name}: ${error.stack}`);
       if (willRetry) continue;
       for (const line of (await browser?.errors().catch(() => [])) ?? []) console.log(`    page: ${line}`);

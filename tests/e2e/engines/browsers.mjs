@@ -1,99 +1,53 @@
 import { spawn } from "node:child_process";
 import { once } from "node:events";
+import { existsSync } from "node:fs";
 import { mkdir, mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { Builder } from "selenium-webdriver";
-import logInspector from "selenium-webdriver/bidi/logInspector.js";
-import { findInPath } from "selenium-webdriver/io/index.js";
-import { DriverService } from "selenium-webdriver/remote/index.js";
+import { launch, launchWebKit } from "./drivers.mjs";
 
 /** @typedef {Awaited<ReturnType<typeof start>>} Browser */
 
 const SCREEN = "1280x900x24";
 const START_MS = 15_000;
-const SCRIPT_MS = 120_000;
 
-/** Driver and capabilities of each engine; downloads are saved without a prompt. */
-export const ENGINES = {
-  chromium: { driver: () => process.env.CHROMEDRIVER ?? find("chromedriver"), capabilities: chromium },
-  firefox: { driver: () => find("geckodriver"), capabilities: firefox },
-  webkit: { driver: () => find("WebKitWebDriver"), capabilities: () => ({ browserName: "MiniBrowser" }) },
-};
+/** Start of each engine; downloads are saved without a prompt. */
+export const ENGINES = { chromium, firefox, webkit: (env) => launchWebKit(find("WebKitWebDriver"), env) };
 
-/** Without WebGPU. @param {string} downloads */
-function chromium(downloads) {
-  const binary = process.env.ROSTO_BROWSER ?? find("chromium", "chromium-browser", "google-chrome");
-  const args = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--ignore-gpu-blocklist", "--disable-features=WebGPU"];
-  const options = { binary, args, prefs: { "download.default_directory": downloads } };
-  return { browserName: "chrome", webSocketUrl: true, "goog:chromeOptions": options };
+/** Without WebGPU. @param {NodeJS.ProcessEnv} env @param {string} downloadPath */
+function chromium(env, downloadPath) {
+  const executablePath = process.env.ROSTO_BROWSER ?? find("chromium", "chromium-browser", "google-chrome");
+  const drawing = ["--use-angle=swiftshader", "--ignore-gpu-blocklist", "--disable-features=WebGPU"];
+  const args = ["--no-sandbox", "--window-size=1024,720", ...drawing];
+  return launch({ executablePath, args, env, downloadBehavior: { policy: "allow", downloadPath } });
 }
 
-/** @param {string} downloads */
-function firefox(downloads) {
+/** @param {NodeJS.ProcessEnv} env @param {string} downloads */
+function firefox(env, downloads) {
   const saved = { "browser.download.folderList": 2, "browser.download.dir": downloads, "browser.download.alwaysOpenPanel": false };
-  const options = { binary: find("firefox-esr", "firefox"), prefs: { ...saved, "webgl.force-enabled": true } };
-  return { browserName: "firefox", webSocketUrl: true, "moz:firefoxOptions": options };
+  const extraPrefsFirefox = { ...saved, "webgl.force-enabled": true };
+  const [executablePath, args] = [find("firefox-esr", "firefox"), ["--width=1024", "--height=720"]];
+  // Without a window, Firefox has no WebGL.
+  return launch({ browser: "firefox", executablePath, args, env, headless: false, extraPrefsFirefox });
 }
 
-/**
- * Starts a browser in a temporary home folder. Its `errors` are uncaught errors and console errors.
- *
- * @param {keyof typeof ENGINES} name
- * @param {NodeJS.ProcessEnv} env
- */
+/** Starts a browser in a temporary home folder. @param {keyof typeof ENGINES} name @param {NodeJS.ProcessEnv} env */
 export async function start(name, env) {
-  const { driver: program, capabilities } = ENGINES[name];
   const home = await mkdtemp(path.join(tmpdir(), `rosto-${name}-`));
   const downloads = path.join(home, "downloads");
   await mkdir(downloads);
   // GLib reads the download folder from this file.
   await writeFile(path.join(home, "user-dirs.dirs"), `XDG_DOWNLOAD_DIR="${downloads}"\n`);
   const folders = { HOME: home, XDG_CONFIG_HOME: home, XDG_CACHE_HOME: home, XDG_DATA_HOME: home };
-  const service = new DriverService.Builder(program()).setLoopback(true).setEnvironment({ ...env, ...folders }).build();
-  /** @type {import("selenium-webdriver").WebDriver | undefined} */
-  let driver;
-  const close = async () => {
-    await driver?.quit().catch(() => {});
-    await service.kill();
-    // The browser's processes may still write for a moment.
-    await rm(home, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
-  };
+  // The browser's processes may still write for a moment.
+  const clean = () => rm(home, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
   try {
-    driver = await new Builder().usingServer(await service.start()).withCapabilities(capabilities(downloads)).build();
-    await driver.manage().setTimeouts({ script: SCRIPT_MS });
-    await driver.manage().window().setRect({ x: 0, y: 0, width: 1024, height: 720 });
-    const actual = await driver.getCapabilities();
-    const version = `${actual.getBrowserName()} ${actual.getBrowserVersion()}`;
-    /** @type {string[]} */
-    const reported = [];
-    // WebKit's driver does not speak WebDriver BiDi.
-    if (actual.get("webSocketUrl")) {
-      const inspector = await logInspector(driver);
-      await inspector.onLog(({ level, text }) => level === "error" && reported.push(text));
-    }
-    const errors = async () => [...reported, ...(await driver.executeScript("return JSON.parse(sessionStorage.errors ?? '[]')"))];
-    return { driver, name, version, downloads, errors, close };
+    const driver = await ENGINES[name]({ ...env, ...folders }, downloads);
+    return { ...driver, name, downloads, close: () => driver.close().finally(clean) };
   } catch (error) {
-    await close();
+    await clean();
     throw error;
   }
-}
-
-/** Makes a page that has just loaded record its errors. @param {import("selenium-webdriver").WebDriver} driver */
-export function noteErrors(driver) {
-  return driver.executeScript(() => {
-    const note = (...words) => {
-      sessionStorage.errors = JSON.stringify([...JSON.parse(sessionStorage.errors ?? "[]"), words.join(" ")]);
-    };
-    addEventListener("error", ({ message, error }) => note(message, error?.stack));
-    addEventListener("unhandledrejection", ({ reason }) => note(reason, reason?.stack));
-    const { error } = console;
-    console.error = (...words) => {
-      note(...words);
-      error(...words);
-    };
-  });
 }
 
 /** Starts a virtual display, which Firefox and WebKit need for WebGL. */
@@ -110,7 +64,8 @@ export async function openDisplay() {
 
 /** Path of the first of these programs found on PATH. @param {string[]} names */
 function find(...names) {
-  const found = names.map((name) => findInPath(name)).find(Boolean);
+  const folders = (process.env.PATH ?? "").split(path.delimiter);
+  const found = names.flatMap((name) => folders.map((folder) => path.join(folder, name))).find(existsSync);
   if (!found) throw new Error(`no ${names.join(" or ")} on this machine; \`cargo xtask setup\` installs it`);
   return found;
 }

@@ -1,58 +1,63 @@
 import assert from "node:assert/strict";
-import { writeFile } from "node:fs/promises";
+import { readdir, readFile, rm, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { setTimeout as sleep } from "node:timers/promises";
 import { PNG } from "pngjs";
-import { By, error as errors, Origin } from "selenium-webdriver";
 import { validateGlb } from "../validate-glb.mjs";
+import { WAIT_MS } from "./drivers.mjs";
 
-/** @typedef {import("selenium-webdriver").WebDriver} WebDriver */
+/** @typedef {import("./browsers.mjs").Browser} Browser */
 
-export const WAIT_MS = 120_000;
+const POLL_MS = 200;
 /** Number of vertices at the default density. */
 const SMOOTH = 7257;
-/** Steps of a drag, in whole pixels. */
-const STEPS = 10;
-/** Human speed, so that no engine merges two moves. */
-const STEP_MS = 16;
+/** Names of incomplete downloads. */
+const ARRIVING = /\.(part|crdownload|wkdownload|tmp)$|^\./;
+
+/** @param {() => Promise<boolean>} holds @param {string} failure */
+async function wait(holds, failure) {
+  for (const end = performance.now() + WAIT_MS; !(await holds()); await sleep(POLL_MS)) {
+    assert.ok(performance.now() < end, failure);
+  }
+}
 
 /**
  * Waits for a condition. Retries while a navigation leaves the driver without a page.
  *
- * @param {WebDriver} driver
+ * @param {Browser} browser
  * @param {string} condition
  * @param {string} what
  */
-export async function until(driver, condition, what) {
-  const holds = () => driver.executeScript(`return Boolean(${condition})`).catch((error) => {
-    if (error instanceof errors.NoSuchSessionError) throw error;
+export async function until(browser, condition, what) {
+  const holds = () => browser.evaluate(`Boolean(${condition})`).catch((error) => {
+    if (browser.crashed(error)) throw error;
     return false;
   });
-  await driver.wait(holds, WAIT_MS, `${what} did not appear`);
+  await wait(holds, `${what} did not appear`);
 }
 
-/**
- * Drags from the middle of an element.
- *
- * @param {WebDriver} driver
- * @param {string} selector
- * @param {{ x: number, y: number }} by CSS px
- */
-export async function drag(driver, selector, by) {
-  const actions = driver.actions().move({ origin: await driver.findElement(By.css(selector)), duration: 0 }).press();
-  for (let step = 0; step < STEPS; step++) {
-    actions.move({ x: by.x / STEPS, y: by.y / STEPS, origin: Origin.POINTER, duration: STEP_MS });
-  }
-  await actions.release().perform();
+/** Bytes that a button downloads. @param {Browser} browser @param {string} button */
+export async function download({ click, downloads }, button) {
+  for (const name of await readdir(downloads)) await rm(path.join(downloads, name));
+  await click(button);
+  let bytes = Buffer.alloc(0);
+  const isSaved = async () => {
+    const [name, ...others] = await readdir(downloads);
+    if (!name || others.length > 0 || ARRIVING.test(name)) return false;
+    const before = bytes;
+    bytes = await readFile(path.join(downloads, name));
+    return bytes.length > 0 && bytes.equals(before);
+  };
+  await wait(isSaved, `${button} downloaded nothing`);
+  return bytes;
 }
 
-/** Draws some frames and takes a screenshot. @param {WebDriver} driver @param {string} file */
-export async function shot(driver, file) {
-  await driver.executeScript(async () => {
+/** Draws some frames and takes a screenshot. @param {Browser} browser @param {string} file */
+export async function shot(browser, file) {
+  await browser.evaluate(async () => {
     for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
   });
-  // chromedriver's screenshots time out after 10 s, which is too short for a busy machine without a GPU.
-  const isChromium = "sendAndGetDevToolsCommand" in driver;
-  const base64 = isChromium ? (await driver.sendAndGetDevToolsCommand("Page.captureScreenshot", {})).data : await driver.takeScreenshot();
-  const png = Buffer.from(base64, "base64");
+  const png = Buffer.from(await browser.screenshot());
   await writeFile(file, png);
   return PNG.sync.read(png);
 }
