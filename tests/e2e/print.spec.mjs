@@ -15,7 +15,7 @@ function sizeOf(stl) {
   return high.map((end, axis) => end - low[axis]);
 }
 
-test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm does not fit", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm does not fit", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   const pixels = async () => (await editor.view()).data;
   const face = await pixels();
   await editor.reveal("#print-facts");
