@@ -23,19 +23,23 @@ pub struct Step {
     pub name: &'static str,
     /// Description.
     pub what: &'static str,
-    /// Needs in addition to Rust, Node.js and the packages of `package-lock.json`; a step without any runs during the set-up.
+    /// Needs in addition to Rust, Node.js and the packages of `package-lock.json`.
     pub needs: &'static [Need],
+    /// Whether it runs while tools compile.
+    pub is_early: bool,
     /// Prepares the program.
-    pub program: fn(&Kit) -> Result<Run>,
+    pub program: Program,
 }
 
-const fn step(
-    name: &'static str,
-    what: &'static str,
-    needs: &'static [Need],
-    program: fn(&Kit) -> Result<Run>,
-) -> Step {
-    Step { name, what, needs, program }
+type Program = fn(&Kit) -> Result<Run>;
+
+const fn step(name: &'static str, what: &'static str, needs: &'static [Need], program: Program) -> Step {
+    Step { name, what, needs, is_early: false, program }
+}
+
+/// A step that needs no tools, and has no limits of time.
+const fn early(name: &'static str, what: &'static str, needs: &'static [Need], program: Program) -> Step {
+    Step { name, what, needs, is_early: true, program }
 }
 
 impl Step {

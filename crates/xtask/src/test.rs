@@ -55,16 +55,16 @@ fn chosen(wanted: &[&str]) -> Result<Vec<&'static Step>> {
     }
 }
 
-/// Runs steps in order; those without needs during the set-up. Returns the kit, which knows what could not be installed.
+/// Runs steps in order, the early ones during the set-up. Returns the kit, which knows what could not be installed.
 fn perform(steps: &[&Step], mut done: impl FnMut(Outcome) -> Result<()>) -> Result<Kit> {
-    let (quick, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.needs.is_empty());
-    let needs: Vec<Need> = others.iter().flat_map(|step| step.needs).copied().collect();
-    rust::components()?;
-    assets::npm()?;
     let started = Instant::now();
+    let (early, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.is_early);
+    let needs: Vec<Need> = steps.iter().flat_map(|step| step.needs).copied().collect();
+    rust::components()?;
+    if needs.contains(&Need::Assets) { assets::obtain() } else { assets::npm() }?;
     let kit = thread::scope(|scope| -> Result<Kit> {
-        let kit = scope.spawn(|| if needs.is_empty() { Ok(Kit::default()) } else { setup::obtain(&needs) });
-        for step in quick {
+        let kit = scope.spawn(|| if others.is_empty() { Ok(Kit::default()) } else { setup::obtain(&needs) });
+        for step in early {
             done(step.run(&Kit::default()))?;
         }
         kit.join().expect("invariant: setting up does not panic")

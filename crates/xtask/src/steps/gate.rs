@@ -1,4 +1,4 @@
-use super::{Step, WORKER_MODULE, cargo, in_chromium, packages, step, tested_on_wasm, with_command_line};
+use super::{Step, WORKER_MODULE, cargo, early, in_chromium, packages, step, tested_on_wasm, with_command_line};
 use crate::need::Need::{Assets, Chromium, Page, WasmPack};
 use crate::page;
 use crate::places::WASM;
@@ -13,12 +13,12 @@ const GATE_CASES: u32 = 64;
 
 /// Checks of everything that a change can break in the product, in order.
 pub const GATE: [Step; 15] = [
-    step("format", "rustfmt", &[], |_| Ok(cargo("fmt --all --check"))),
-    step("lint-js", "Biome on JavaScript", &[], |kit| Ok(kit.npm("lint"))),
-    step("prose", "plain English in docs, comments, names and words", &[], |kit| Ok(kit.npm("prose"))),
-    step("units", "functions of the page without a browser", &[], |kit| Ok(kit.npm("units"))),
+    early("format", "rustfmt", &[], |_| Ok(cargo("fmt --all --check"))),
+    early("lint-js", "Biome on JavaScript", &[], |kit| Ok(kit.npm("lint"))),
+    early("prose", "plain English in docs, comments, names and words", &[], |kit| Ok(kit.npm("prose"))),
+    early("units", "functions of the page without a browser", &[], |kit| Ok(kit.npm("units"))),
     // Without benchmarks, whose libraries nothing else here compiles.
-    step("lint", "clippy on the host", &[], |_| {
+    early("lint", "clippy on the host", &[Assets], |_| {
         let clippy = cargo("clippy --workspace --locked --lib --bins --tests --examples --keep-going");
         Ok(WASM_CODE.iter().fold(clippy, |clippy, name| clippy.args(["--exclude", name])).words("-- -D warnings"))
     }),
