@@ -4,7 +4,7 @@ import { openOther } from "./groups.mjs";
 import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 
 /** Longer than the page waits for a lock. */
-const LATE_MS = 2500;
+const LATE_MS = 4000;
 /** Longer than the page's timeouts for database and locks. */
 const TIMEOUT_S = 8;
 
@@ -289,12 +289,12 @@ function delayLocks() {
     const [hold] = rest.slice(-1);
     if (!name.startsWith("rosto-slot-")) return request(name, ...rest);
     return request(name, ...rest.slice(0, -1), async (lock) => {
-      await after(1200);
+      await after(1100);
       return hold(lock);
     });
   };
   locks.query = async () => {
-    await after(500);
+    await after(1500);
     return query();
   };
 }
