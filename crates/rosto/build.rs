@@ -5,8 +5,13 @@ use std::path::Path;
 const NETWORK: &str = "../../web/assets/face_landmarks_attention.onnx";
 
 fn main() {
+    // Without this, a changed file anywhere in the package would run the script again.
+    println!("cargo::rerun-if-changed=build.rs");
+    if std::env::var_os("CARGO_FEATURE_EMBED_NETWORKS").is_none() {
+        return;
+    }
     println!("cargo::rerun-if-changed={NETWORK}");
-    if std::env::var_os("CARGO_FEATURE_EMBED_NETWORKS").is_some() && !Path::new(NETWORK).is_file() {
+    if !Path::new(NETWORK).is_file() {
         println!("cargo::error=the face networks are missing: run `cargo xtask networks`, then build again");
     }
 }

@@ -3,8 +3,6 @@ import { test } from "./fixtures.mjs";
 import { openOther } from "./groups.mjs";
 import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 
-/** Longer than the page waits for a lock. */
-const LATE_MS = 4000;
 /** Longer than the page's timeouts for database and locks. */
 const TIMEOUT_S = 8;
 
@@ -159,7 +157,7 @@ test("a lock that a busy browser grants late is used", { tag: "@rare" }, async (
   await visitor.openFace();
   await visitor.move("nose tip", "z", 9);
   await untilSaved(visitor.page);
-  await visitor.page.waitForTimeout(LATE_MS);
+  // A later save waits for the lock.
   await visitor.move("bottom of the chin", "y", -4);
   await untilSaved(visitor.page);
   assert.deepEqual((await storedWorks(visitor.page)).map(({ isLocked }) => isLocked), [true]);

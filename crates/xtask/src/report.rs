@@ -16,6 +16,13 @@ pub struct Outcome {
     pub output: Result<String, String>,
 }
 
+impl Outcome {
+    /// A success without output.
+    pub fn passed(step: &'static str, took: Option<Duration>) -> Self {
+        Self { step, took, output: Ok(String::new()) }
+    }
+}
+
 /// Table of all steps, then the slowest tests.
 pub fn table(outcomes: &[Outcome], total: Duration) -> String {
     let mut lines: Vec<String> = outcomes.iter().map(row).collect();

@@ -1,7 +1,7 @@
 //! Installs the missing tools and files of a task.
 
-use crate::need::GATE;
-use crate::need::Need::{self, OldChromium, Page, Readers, WasmPack};
+use crate::need::Need::{OldChromium, Page, Readers, WasmPack};
+use crate::need::{GATE, Need};
 use crate::places::{WASM, remapped, root};
 use crate::run::{Run, causes, elapsed};
 use crate::rust::{self, TRUNK, Tool, WASM_BINDGEN, WASM_PACK};

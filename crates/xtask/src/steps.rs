@@ -1,6 +1,6 @@
 //! Steps of `cargo xtask test`: those of the gate, and with `--all` those of the night.
 //!
-//! Quick checks come first, while tools compile. Later steps use the results of earlier ones: `dist` builds the types
+//! Early steps run while tools compile. Later ones use the results of earlier ones: `dist` builds the types
 //! for tsc and the page for the browsers.
 
 mod gate;

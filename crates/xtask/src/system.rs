@@ -123,9 +123,6 @@ fn unpack(version: &str, folder: &Path) -> Result<()> {
 
 /// Installs packages with apt-get, as root or through `sudo -n`.
 pub fn install(packages: &str) -> Result<()> {
-    // apt-get waits for dpkg's lock, but not for the lock of its package lists.
-    static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
-    let _guard = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let installed = apt_get("install", packages).or_else(|_| {
         // The package lists may be missing.
         update()?;
@@ -136,6 +133,9 @@ pub fn install(packages: &str) -> Result<()> {
 
 fn apt_get(verb: &str, packages: &str) -> Result<()> {
     ensure!(is_program("apt-get"), "apt-get not found");
+    // apt-get waits for dpkg's lock, but not for the lock of its package lists.
+    static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+    let _guard = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let is_root = Run::new("id").arg("-u").checked()?.trim() == "0";
     // -n, because a password prompt would look like a hang.
     let sudo = if is_root { "" } else { "sudo -n " };

@@ -22,9 +22,8 @@ pub fn run(wanted: &[&str]) -> Result<()> {
     let mut passed = Passed::read();
     let is_known = |step: &&Step| wanted == ["--all"] && passed.contains(step.name);
     let (known, due): (Vec<&Step>, Vec<&Step>) = steps.into_iter().partition(is_known);
-    let mut outcomes: Vec<_> =
-        known.iter().map(|step| Outcome { step: step.name, took: None, output: Ok(String::new()) }).collect();
-    let missing = perform(&due, |outcome| {
+    let mut outcomes: Vec<_> = known.iter().map(|step| Outcome::passed(step.name, None)).collect();
+    let kit = perform(&due, |outcome| {
         if outcome.output.is_ok() {
             passed.add(outcome.step)?;
         }
@@ -32,7 +31,7 @@ pub fn run(wanted: &[&str]) -> Result<()> {
         Ok(())
     })?;
     report(&outcomes, started.elapsed());
-    missing.report_missing();
+    kit.report_missing();
     let failed: Vec<&str> =
         outcomes.iter().filter(|outcome| outcome.output.is_err()).map(|outcome| outcome.step).collect();
     println!("\nsteps: {} passed, {} failed", outcomes.len() - failed.len(), failed.len());
@@ -69,7 +68,7 @@ fn perform(steps: &[&Step], mut done: impl FnMut(Outcome) -> Result<()>) -> Resu
         }
         kit.join().expect("invariant: setting up does not panic")
     })?;
-    done(Outcome { step: "set-up", took: Some(started.elapsed()), output: Ok(String::new()) })?;
+    done(Outcome::passed("set-up", Some(started.elapsed())))?;
     for step in others {
         done(step.run(&kit))?;
     }
