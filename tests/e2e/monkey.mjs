@@ -21,7 +21,8 @@ const video = await portraitVideo();
 const kinds = Object.keys(KINDS).filter((kind) => visitor === undefined || kind === visitor);
 const ended = await Promise.allSettled(kinds.map(monkeyTest));
 server.close();
-for (const [at, { value, reason }] of ended.entries()) console.log(`${kinds[at]}: ${reason ?? `${value} actions, nothing found`}`);
+// An error is an argument of its own, so that its cause is printed.
+for (const [at, { value, reason }] of ended.entries()) console.log(`${kinds[at]}:`, reason ?? `${value} actions, nothing found`);
 process.exitCode = kinds.length === 0 || ended.some(({ reason }) => reason) ? 1 : 0;
 
 /** @param {string} kind of visitor @returns {Promise<number>} number of actions performed */
