@@ -53,9 +53,9 @@ impl Session {
         Some(pointed).filter(|pointed| Some(*pointed) != face.selection())
     }
 
-    /// Clears the hovered vertex if it no longer exists.
+    /// Clears the hovered vertex if it can no longer be selected, on another mesh or in another mode.
     pub(super) fn check_pointer(&mut self) {
-        let count = self.face.as_ref().map_or(0, |face| face.document().rest().len());
+        let count = self.face.as_ref().map_or(0, |face| face.selectable_count(self.mode));
         if self.hovered.vertex.is_some_and(|vertex| vertex as usize >= count) {
             self.hovered = Hovered::default();
             self.stage.set_hovered(None);

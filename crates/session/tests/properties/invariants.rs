@@ -49,8 +49,9 @@ pub fn check(session: &Session) -> Result<(), String> {
     ensure(session.stage().gizmo().is_none_or(|vertex| (vertex as usize) < count), || {
         "the gizmo's vertex does not exist".to_owned()
     })?;
-    ensure(session.hovered().vertex.is_none_or(|vertex| (vertex as usize) < count), || {
-        "the hovered vertex does not exist".to_owned()
+    let selectable = face.selectable_count(session.mode());
+    ensure(session.hovered().vertex.is_none_or(|vertex| (vertex as usize) < selectable), || {
+        "the hovered vertex cannot be selected".to_owned()
     })?;
     let mut pins = face.pins().to_vec();
     pins.sort_unstable();

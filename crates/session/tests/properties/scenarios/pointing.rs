@@ -27,6 +27,18 @@ fn drag(session: &mut Session, to_px: DVec2) -> Changed {
 }
 
 #[test]
+fn another_mode_forgets_a_hovered_point_that_it_cannot_select() {
+    let mut session = session();
+    act(&mut session, Intent::Mode(SelectionMode::Point));
+    act(&mut session, Intent::Density(2));
+    let point_px = position_px(&session, 5_000);
+    act(&mut session, Intent::Hover(Some(point_px)));
+    assert!(session.hovered().vertex.unwrap() >= 468, "{:?}", session.hovered());
+    let applied = session.answer(Intent::Mode(SelectionMode::Landmark)).unwrap();
+    assert_eq!(applied.hovered, None);
+}
+
+#[test]
 fn a_drag_follows_the_pointer_and_is_one_entry() {
     let mut session = session();
     let rest = shape(&session);
