@@ -21,7 +21,7 @@ const video = await portraitVideo();
 const kinds = Object.keys(KINDS).filter((kind) => visitor === undefined || kind === visitor);
 const ended = await Promise.allSettled(kinds.map(monkeyTest));
 server.close();
-// An error is an argument of its own, so that its cause is printed.
+// A separate argument, so that the cause of an error is printed.
 for (const [at, { value, reason }] of ended.entries()) console.log(`${kinds[at]}:`, reason ?? `${value} actions, nothing found`);
 process.exitCode = kinds.length === 0 || ended.some(({ reason }) => reason) ? 1 : 0;
 
