@@ -172,13 +172,12 @@ pub fn over_the_workspace(command: &str) -> Run {
 }
 
 /// Native tests, in several programs at once if nextest is installed.
-pub fn native_tests(cases: u32, includes_slow: bool) -> Run {
+pub fn native_tests(includes_slow: bool) -> Run {
     let (runner, slow) = match is_program("cargo-nextest") {
         true => ("nextest run --tests --no-fail-fast", " --run-ignored all"),
         false => ("test --tests --no-fail-fast", " -- --include-ignored"),
     };
-    let tests = over_the_workspace(runner).words(if includes_slow { slow } else { "" });
-    tests.env("PROPTEST_CASES", cases.to_string())
+    over_the_workspace(runner).words(if includes_slow { slow } else { "" })
 }
 
 #[cfg(test)]

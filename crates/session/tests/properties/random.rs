@@ -11,7 +11,7 @@ use crate::invariants::{check, check_thoroughly, seen, shape};
 /// Interval of the expensive checks, in intents.
 const DEEPLY_EVERY: usize = 50;
 
-/// A quarter of `PROPTEST_CASES`, because each case is a long sequence.
+/// A quarter of the usual cases, because each case is a long sequence.
 fn config() -> ProptestConfig {
     let config = ProptestConfig::default();
     ProptestConfig { cases: config.cases.div_ceil(4), max_shrink_iters: 4_000, ..config }

@@ -8,9 +8,6 @@ use crate::rust::{native_tests, over_the_workspace};
 /// Crates with code for wasm32 alone: their libraries differ there.
 const WASM_CODE: [&str; 3] = ["rosto-studio-web", "rosto-studio-webgl", "rosto-viewport"];
 
-/// Cases of a property test.
-const GATE_CASES: u32 = 64;
-
 /// Checks of everything that a change can break in the product, in order.
 pub const GATE: [Step; 15] = [
     early("format", "rustfmt", &[], |_| Ok(cargo("fmt --all --check"))),
@@ -22,12 +19,13 @@ pub const GATE: [Step; 15] = [
         let clippy = cargo("clippy --workspace --locked --lib --bins --tests --examples --keep-going");
         Ok(WASM_CODE.iter().fold(clippy, |clippy, name| clippy.args(["--exclude", name])).words("-- -D warnings"))
     }),
-    step("native", "native tests, without slow ones", &[Assets], |_| Ok(native_tests(GATE_CASES, false))),
+    step("native", "native tests, without slow ones", &[Assets], |_| Ok(native_tests(false))),
     step("examples", "examples in the documentation", &[Assets], |_| {
         Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
     }),
     step("python", "Python package", &[Assets], |_| {
-        with_command_line(python::pytest(&python::for_tests()?).arg("tests/python").arg("--ignore=tests/python/night"))
+        let pytest = python::pytest(&python::for_tests()?).words("--numprocesses auto tests/python");
+        with_command_line(pytest.arg("--ignore=tests/python/night"))
     }),
     // Only crates with code for wasm32 alone; the worker's façade is checked on the host.
     step("lint-wasm", "clippy on wasm32", &[Page], |kit| {

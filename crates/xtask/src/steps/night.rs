@@ -10,8 +10,6 @@ use std::time::{Duration, UNIX_EPOCH};
 const DAY: Duration = Duration::from_secs(24 * 3600);
 /// Time for each of the five fuzz targets, ten minutes in all.
 const FUZZ_SECONDS: u32 = 120;
-/// Cases of a property test.
-const NIGHT_CASES: u32 = 512;
 const MONKEY_LIMIT: Duration = Duration::from_secs(2 * 3600);
 
 /// Slow, downloaded or random checks, and those of the documentation.
@@ -33,7 +31,7 @@ pub const NIGHT: [Step; 17] = [
         Ok(python::pytest(&python::for_clusters()?).arg("tests/python/night"))
     }),
     step("properties", "all native tests, with fresh seeds", &[Assets], |_| {
-        Ok(native_tests(NIGHT_CASES, true).env("PROPTEST_RNG_SEED", seed()))
+        Ok(native_tests(true).env("PROPTEST_RNG_SEED", seed()))
     }),
     step("fuzz:picture", "damaged photos", &[Assets], |_| fuzz("picture")),
     step("fuzz:profile", "damaged colour profiles", &[Assets], |_| fuzz("profile")),
