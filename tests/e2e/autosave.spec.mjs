@@ -1,5 +1,5 @@
 import assert from "node:assert/strict";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { untilSaved } from "./storage.mjs";
 import { refuseDatabase } from "./page-scripts.mjs";
 
@@ -38,8 +38,8 @@ test("an edit is saved at any time before a reload", { tag: "@rare" }, async ({ 
 });
 
 const REFUSALS = Object.entries({ throws: refuseDatabase, "answers with an error": refuseByError, "is full": refuseByFullness });
-for (const [[how, refuse], tag] of variants(REFUSALS)) {
-  test(`if the database ${how}, a notice says once that work cannot be saved, and editing continues`, { tag }, async ({ open }) => {
+for (const [how, refuse] of REFUSALS) {
+  test(`if the database ${how}, a notice says once that work cannot be saved, and editing continues`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ scripts: [refuse] });
     const { page } = visitor;
     await visitor.openFace();

@@ -2,7 +2,6 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./element-visitor.mjs";
-import { variants } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self'";
@@ -10,7 +9,7 @@ const TRUSTED = `${POLICY}; require-trusted-types-for 'script'; trusted-types ro
 
 const BODY = `<rosto-studio controls><img src="portrait.png" alt=""></rosto-studio>`;
 
-test("the element needs no other Trusted Types policy than its own, also if the host sends one with each file", async ({ openElement }) => {
+test("the element needs no other Trusted Types policy than its own, also if the host sends one with each file", { tag: "@rare" }, async ({ openElement }) => {
   const visitor = await openElement({ body: BODY, policy: TRUSTED, headers: { "content-security-policy": TRUSTED } });
   await visitor.until("rosto-face");
   await visitor.act((face) => face.setSlider("nose-width", 2));
@@ -36,8 +35,8 @@ const RESTRICTIONS = [
   },
 ];
 
-for (const [{ code, when, hint, notices, ...host }, tag] of variants(RESTRICTIONS)) {
-  test(`in ${when}, the element shows the photo and reports ${code} at once`, { tag }, async ({ openElement }) => {
+for (const { code, when, hint, notices, ...host } of RESTRICTIONS) {
+  test(`in ${when}, the element shows the photo and reports ${code} at once`, { tag: "@rare" }, async ({ openElement }) => {
     for (const [language, notice] of Object.entries(notices)) {
       const visitor = await openElement({ ...host, body: BODY.replace("controls", `lang="${language}"`) });
       const error = await visitor.until("rosto-error");

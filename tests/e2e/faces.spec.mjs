@@ -11,7 +11,7 @@ import { hookModule, trapIn, refuseDatabase } from "./page-scripts.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("each face of a group keeps its edits and name when you switch between them, and the tab stays", async ({ visitor, page }) => {
+test("each face of a group keeps its edits and name when you switch between them, and the tab stays", { tag: "@rare" }, async ({ visitor, page }) => {
   await openGroup(visitor);
   assert.equal(await page.getAttribute("#face-choice", "aria-label"), "2 faces in this photo");
   assert.equal((await visitor.save("download-glb")).name, "group.glb");

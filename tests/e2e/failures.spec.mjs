@@ -82,7 +82,7 @@ for (const { reply, action, code } of [
   });
 }
 
-test("a notice appears over an open dialog, can be closed there, and returns to the stage afterwards", async ({ editor, page }) => {
+test("a notice appears over an open dialog, can be closed there, and returns to the stage afterwards", { tag: "@rare" }, async ({ editor, page }) => {
   const dropWords = () => editor.drop(Buffer.from("words"), "words.txt");
   const isOnTop = () => page.evaluate(() => {
     const notice = document.getElementById("notice");

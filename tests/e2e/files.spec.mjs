@@ -33,7 +33,7 @@ test("the first valid file of several is opened, and a notice says so", { tag: "
   await page.waitForSelector("#notice[data-code='unsupported-format']");
 });
 
-test("a dropped URL, text or HTML shows a notice, and text fields still accept text", async ({ visitor, page }) => {
+test("a dropped URL, text or HTML shows a notice, and text fields still accept text", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   const words = [
     { "text/uri-list": "https://example.com/me.jpg", "text/plain": "https://example.com/me.jpg" },
@@ -64,7 +64,7 @@ test("a dropped URL, text or HTML shows a notice, and text fields still accept t
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a middle drag turns the face and pastes nothing, and Ctrl V of text shows a notice", async ({ open }) => {
+test("a middle drag turns the face and pastes nothing, and Ctrl V of text shows a notice", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [recordMiddleButton], permissions: ["clipboard-read", "clipboard-write"] });
   const { page } = visitor;
   await visitor.openFace();

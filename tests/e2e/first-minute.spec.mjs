@@ -45,7 +45,7 @@ test("one second after a drag, nothing covers the face", { tag: "@rare" }, async
   await expect.poll(opacity).toBe(1);
 });
 
-test("a pointer that rests on the face does not keep the page drawing", async ({ editor, page }) => {
+test("a pointer that rests on the face does not keep the page drawing", { tag: "@rare" }, async ({ editor, page }) => {
   const nose = await editor.landmarkPosition(1);
   await page.evaluate(() => {
     const { submit } = GPUQueue.prototype;

@@ -49,7 +49,7 @@ for (const [goal, { most, actions, check, isRare }] of Object.entries(GOALS)) {
   }
 }
 
-test("the first slider and the sliders of a point are visible without scrolling, and about twelve controls at first", async ({ open }) => {
+test("the first slider and the sliders of a point are visible without scrolling, and about twelve controls at first", { tag: "@rare" }, async ({ open }) => {
   for (const [device, visit] of Object.entries(DEVICES)) {
     const visitor = await open(visit);
     await visitor.openFace();

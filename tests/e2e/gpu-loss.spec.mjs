@@ -1,15 +1,15 @@
 import assert from "node:assert/strict";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 import { crashGpu, recordGpus } from "./page-scripts.mjs";
 
 test.use({ visit: { scripts: [recordGpus] } });
 
-for (const [{ drawn, needs }, tag] of variants([
+for (const { drawn, needs } of [
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
-])) {
-  test(`the view and the work recover when the GPU process crashes under ${drawn}`, { tag: [...tag, `@${needs}`] }, async ({ editor, page }) => {
+]) {
+  test(`the view and the work recover when the GPU process crashes under ${drawn}`, { tag: ["@rare", `@${needs}`] }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
     const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
     const gpus = await page.evaluate("gpus.length");

@@ -17,7 +17,7 @@ for (const what of ["photo", "project"]) {
   });
 }
 
-test("an edit made as soon as a face is shown is saved even if the page is left at once", async ({ visitor, page }) => {
+test("an edit made as soon as a face is shown is saved even if the page is left at once", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(leaveOnceShown, { slider: "#slider-nose-width .number-field", amount_mm: "3" });
   const left = page.waitForEvent("framenavigated");

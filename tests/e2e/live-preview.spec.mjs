@@ -122,7 +122,7 @@ test("the live preview handles lost faces, worker crashes and hidden pages", { t
   assert.equal((await camera(visitor)).live, 1);
 });
 
-test("a refused or unplugged camera closes the live preview with a notice", { tag: "@moving-camera" }, async ({ visitor, page }) => {
+test("a refused or unplugged camera closes the live preview with a notice", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(() => (window.isRefused = true));
   await page.click("#welcome [data-action='live-preview']");

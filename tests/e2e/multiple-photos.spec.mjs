@@ -84,7 +84,7 @@ test("photos from other sides change the mesh like on the command line, are save
   assert.deepEqual((await visitor.meshJson("mm")).positions, alone.positions, "the mesh differs from that of the first photo");
 });
 
-test("a photo without a face is rejected by name, and one from the same side is reported to add little", async ({ visitor, page }) => {
+test("a photo without a face is rejected by name, and one from the same side is reported to add little", { tag: "@rare" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 9);
   const before = await visitor.meshJson("mm");

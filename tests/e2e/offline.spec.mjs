@@ -44,7 +44,7 @@ for (const [[what, interceptor], tag] of variants([["is unreachable"], ...Object
   });
 }
 
-test("a page of a newer version loads its files from the network, or reports that it did not load", async ({ visitor, page, server }) => {
+test("a page of a newer version loads its files from the network, or reports that it did not load", { tag: "@rare" }, async ({ visitor, page, server }) => {
   await visitor.untilLoaded();
   const version = await versionIn(DIST);
   const newer = String(await readFile(path.join(DIST, "index.html"))).replaceAll(version, NEWER);

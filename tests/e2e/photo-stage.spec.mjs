@@ -15,7 +15,7 @@ async function photoOnStage(visitor) {
   await visitor.frames(5);
 }
 
-test("a click on the thumbnail opens the photo on the stage; the switch and P return, a drag moves it, and the choice is saved", { tag: "@eyes" }, async ({ editor }) => {
+test("a click on the thumbnail opens the photo on the stage; the switch and P return, a drag moves it, and the choice is saved", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
   assert.equal(await scene(editor), "solid", "the 3D face is not the initial scene");
   const solid = await editor.view();
   await editor.page.click("#photo-to-stage");
@@ -71,7 +71,7 @@ test("sliders, regions and the comparison work on the photo", { tag: ["@eyes", "
   assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the comparison does not show both");
 });
 
-test("the thumbnail shows edits while they are made", async ({ editor }) => {
+test("the thumbnail shows edits while they are made", { tag: "@rare" }, async ({ editor }) => {
   await editor.frames(4);
   const small = async () => PNG.sync.read(await editor.page.locator("#photo-thumbnail").screenshot());
   const before = await small();

@@ -35,7 +35,7 @@ test("a selfie from the camera opens unmirrored, and is named selfie", { tag: "@
   assert.equal((await visitor.save("save-project")).name, "selfie.rosto");
 });
 
-test("the hovered landmark is marked on the panel's photo and on the mesh", async ({ visitor, page }) => {
+test("the hovered landmark is marked on the panel's photo and on the mesh", { tag: "@rare" }, async ({ visitor, page }) => {
   const { positions } = await meshByCommandLine(SAMPLE, ["--units", "image"]);
   const dots = APART.map(([landmark, colour]) => ({ x: positions[landmark][0] * SIDE_PX, y: positions[landmark][1] * SIDE_PX, colour }));
   await visitor.drop(dotted(await readFile(SAMPLE), dots, 4), "dotted.png");

@@ -53,7 +53,7 @@ for (const [width, height] of [[320, 200], [320, 256], [390, 300]]) {
   });
 }
 
-test("with forced colours, the selected segment and tab, slider tracks and the main button are visible", async ({ open }) => {
+test("with forced colours, the selected segment and tab, slider tracks and the main button are visible", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ forcedColors: "active" });
   const { page } = visitor;
   await visitor.openFace();

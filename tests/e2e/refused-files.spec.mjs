@@ -26,7 +26,7 @@ const BAD_EXTRAS = [
   ["a vertex that does not exist", "bad-history", ({ history }) => (history.entries[0].move.handles = [9999])],
 ];
 
-test("a project that cannot be opened leaves the face, its history and the saved work unchanged", async ({ editor }) => {
+test("a project that cannot be opened leaves the face, its history and the saved work unchanged", { tag: "@rare" }, async ({ editor }) => {
   const project = await editAndSave(editor, "save-project");
   const bad = BAD_HEADERS.map(([name, code, change]) => ({ name, code, file: changedProject(project, (header) => void change(header)) }));
   bad.push({ name: "a face without a shape", code: "not-a-face", file: projectWithoutShape(project) });

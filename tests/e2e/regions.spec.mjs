@@ -50,7 +50,7 @@ test("a region's landmarks are marked, and it can be dragged by each of them and
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
 });
 
-test("clicks select the region under the pointer, then a larger one, and landmark mode restores the landmark", { tag: "@eyes" }, async ({ editor, page }) => {
+test("clicks select the region under the pointer, then a larger one, and landmark mode restores the landmark", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagPosition();
   const beside = await editor.emptyPoint();

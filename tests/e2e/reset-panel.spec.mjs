@@ -7,7 +7,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { viewport: { width: 1024, height: 480 }, hasClock: true } });
 
-test("after opening another photo, no control keeps a selection, input or scroll position", async ({ editor, page }) => {
+test("after opening another photo, no control keeps a selection, input or scroll position", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.untilLoaded();
   const photo = await asJpeg(page, await readFile(SAMPLE));
   const fresh = await controls(page);

@@ -46,7 +46,7 @@ for (const { drawn, needs } of [
   });
 }
 
-test("a panic during export or opening restarts the module, and the next attempt works", async ({ editor, page }) => {
+test("a panic during export or opening restarts the module, and the next attempt works", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.untilLoaded();
   await workOn(editor);
   const work = await editor.meshJson("mm");

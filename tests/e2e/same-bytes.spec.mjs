@@ -2,7 +2,7 @@
 // its last digits depend on the build's arithmetic.
 import assert from "node:assert/strict";
 import { filesByCommandLine } from "./command-line.mjs";
-import { test, variants } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { PAGE_OPTIONS, openAsCommandLine, storedFiles } from "./same-face.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
@@ -41,8 +41,8 @@ const PRINTED = [
   { format: "stl", choose: { solid: "thickness", length: "1.2", density: "1" }, options: ["--height-mm", "80", "--solid", "thickness:1.2", "--density", "1"] },
 ];
 
-for (const [[kind, rows], tag] of variants(Object.entries({ "a GLB and an OBJ": USUAL, meshes: PAINTED, printed: PRINTED }))) {
-  test(`page and command line write the same bytes for the same face and edits: ${kind}`, { tag }, async ({ visitor }) => {
+for (const [kind, rows] of Object.entries({ "a GLB and an OBJ": USUAL, meshes: PAINTED, printed: PRINTED })) {
+  test(`page and command line write the same bytes for the same face and edits: ${kind}`, { tag: "@rare" }, async ({ visitor }) => {
     await openAsCommandLine(visitor);
     await visitor.setSlider("nose-width", 4);
     for (const { format, choose, options } of rows) {

@@ -6,7 +6,7 @@ import { test } from "./fixtures.mjs";
 import { asJpeg, faceless, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("several photos open a dialog by keys, and Escape leaves the work as it was", async ({ editor, page }) => {
+test("several photos open a dialog by keys, and Escape leaves the work as it was", { tag: "@rare" }, async ({ editor, page }) => {
   await editor.move("nose tip", "z", 4);
   const work = await editor.work();
   const files = [await photo(page, "ana"), notes(), await photo(page, "bia")];

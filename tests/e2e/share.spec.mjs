@@ -71,7 +71,7 @@ test("pictures are shared if possible, and downloaded if sharing fails", { tag: 
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a GLB that cannot be shared is saved; cancelling is silent", async ({ open }) => {
+test("a GLB that cannot be shared is saved; cancelling is silent", { tag: "@rare" }, async ({ open }) => {
   const visitor = await open({ scripts: [installSharing] });
   const { page } = visitor;
   await visitor.openFace();

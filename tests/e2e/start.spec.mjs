@@ -110,8 +110,8 @@ test("a notice appears while modules do not arrive, and disappears when they do"
   await page.waitForSelector("#not-started", { state: "hidden" });
 });
 
-for (const [[what, block], tag] of variants(/** @type {const} */ ([["cannot be read", blockStorage], ["is full", fillStorage]]))) {
-  test(`with storage that ${what} the page works, without remembering choices`, { tag }, async ({ open }) => {
+for (const [what, block] of /** @type {const} */ ([["cannot be read", blockStorage], ["is full", fillStorage]])) {
+  test(`with storage that ${what} the page works, without remembering choices`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", scripts: [block] });
     const { page } = visitor;
     await page.waitForSelector("body[data-host='open']");
@@ -150,8 +150,8 @@ for (const [{ drawn, needs, file, isByItself }, tag] of variants([
   });
 }
 
-for (const [status, tag] of variants([404, "unreachable"])) {
-  test(`if the sample is ${status}, a notice appears and a retry works`, { tag }, async ({ open }) => {
+for (const status of [404, "unreachable"]) {
+  test(`if the sample is ${status}, a notice appears and a retry works`, { tag: "@rare" }, async ({ open }) => {
     const visitor = await open({
       before: (context) => context.route("**/sample.png", (route) => (status === "unreachable" ? route.abort() : route.fulfill({ status }))),
     });

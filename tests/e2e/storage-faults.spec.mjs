@@ -73,7 +73,7 @@ const DAMAGES = [
   (face, { order: _, ...done }) => [face, { ...done, edits: 7 }],
 ];
 
-test("damaged works do not hide an older one", async ({ editor }) => {
+test("damaged works do not hide an older one", { tag: "@rare" }, async ({ editor }) => {
   await editor.move("nose tip", "z", 9);
   const work = await editor.work();
   await untilSaved(editor.page);

@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { chooseFace, openGroup, openOther } from "./groups.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 
-test("two tabs save separate works, and each restores its own face and edits", async ({ editor: first, page }) => {
+test("two tabs save separate works, and each restores its own face and edits", { tag: "@rare" }, async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
   await untilSaved(page);
   const [kept] = await storedWorks(page);

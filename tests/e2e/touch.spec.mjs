@@ -8,7 +8,7 @@ const LOWER_LIP = 17;
 
 test.use({ visit: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 } });
 
-test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) => {
+test("on a phone, fingers turn, zoom, pan and drag", { tag: "@rare" }, async ({ editor, page }) => {
   const send = await toucher(page);
   const at = await page.locator("#viewport").boundingBox();
   const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
@@ -106,7 +106,7 @@ test("on a phone the bottom sheet leaves most of the face visible, without overl
   }
 });
 
-test("on the photo, a pinch zooms about the fingers, two fingers pan, and a double tap fits", async ({ editor, page }) => {
+test("on the photo, a pinch zooms about the fingers, two fingers pan, and a double tap fits", { tag: "@rare" }, async ({ editor, page }) => {
   const send = await toucher(page);
   const nose = () => editor.landmarkPosition(NOSE_TIP);
   const scene = () => page.getAttribute("body", "data-scene");
@@ -146,7 +146,7 @@ test("on a phone, targets are at least 44 px large", async ({ editor }) => {
   }
 });
 
-test("the handle makes the sheet taller, by a press and by dragging", async ({ editor, page }) => {
+test("the handle makes the sheet taller, by a press and by dragging", { tag: "@rare" }, async ({ editor, page }) => {
   const height = async () => (await page.locator("#panel").boundingBox()).height;
   const before = await height();
   await page.click("#sheet-handle");

@@ -12,7 +12,7 @@ import { crashBefore, recordWorkers } from "./page-scripts.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
-test("the page draws and responds before the worker's module has loaded", { tag: "@eyes" }, async ({ open }) => {
+test("the page draws and responds before the worker's module has loaded", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
   const { before, deliver } = delayFile(WORKER_MODULE);
   const visitor = await open({ before });
   await visitor.page.waitForSelector("body[data-host='open']");
