@@ -104,6 +104,11 @@ test("the live preview handles lost faces, worker crashes and hidden pages", { t
   await page.evaluate(() => (window.isBlank = false));
   await page.waitForSelector("#live-save:enabled");
 
+  await page.evaluate(refuseFrame);
+  await page.waitForFunction(() => window.isFrameRefused);
+  await page.waitForSelector("#live-save:enabled");
+  assert.ok(await page.isHidden("#notice"), "a missing frame is reported");
+
   await page.workers()[0].evaluate(crashBefore, "follow");
   assert.equal((await visitor.notice()).code, "worker-died");
   await page.waitForSelector("#live-save:enabled");
@@ -162,6 +167,15 @@ test("a live preview closed while it starts, or that cannot play or read a frame
   assert.equal((await camera(visitor)).live, 0);
   assert.deepEqual(await page.evaluate(() => window.rejections), []);
 });
+
+/** Runs in the page: its next frame cannot be read. */
+function refuseFrame() {
+  const { createImageBitmap } = window;
+  window.createImageBitmap = () => {
+    Object.assign(window, { createImageBitmap, isFrameRefused: true });
+    return Promise.reject(new DOMException("The image source is not usable", "InvalidStateError"));
+  };
+}
 
 /** Opens the live preview over the open face and waits until the stage shows it. @param {Visitor} visitor */
 async function openLivePreview(visitor) {

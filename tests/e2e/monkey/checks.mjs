@@ -7,7 +7,8 @@ import { validateGlb } from "../validate-glb.mjs";
 
 /** Time within which a change is saved. */
 const SAVE_MS = 1_000;
-const DOWNLOAD_MS = 20_000;
+/** A file of the densest mesh waits for the measures of its print. */
+const DOWNLOAD_MS = 90_000;
 
 /** Properties that hold after any actions. @type {Record<string, (visit: Visit) => Promise<void>>} */
 const CHECKS = { "undo and redo": undoAndRedo, history: historyInFile, GLB: validGlb, reload: reloaded };
@@ -81,10 +82,12 @@ function history({ page }) {
 
 /** @param {Visit} visit @param {string} action @param {string} extension */
 async function download(visit, action, extension) {
+  const button = `#panel [data-action="${action}"]`;
+  // Ignores a picture download that is still pending.
+  const isOfThisKind = (file) => file.suggestedFilename().endsWith(extension);
   const [file] = await Promise.all([
-    // Ignores a picture download that is still pending.
-    visit.page.waitForEvent("download", { predicate: (file) => file.suggestedFilename().endsWith(extension), timeout: DOWNLOAD_MS }),
-    visit.press(`#panel [data-action="${action}"]`),
+    visit.page.waitForEvent("download", { predicate: isOfThisKind, timeout: DOWNLOAD_MS }),
+    visit.press(button).then((isPressed) => assert.ok(isPressed, `${action} is disabled or absent`)),
   ]);
   return readFile(await file.path());
 }

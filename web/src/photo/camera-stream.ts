@@ -67,13 +67,13 @@ export function cameraStream(video: HTMLVideoElement, wanted: MediaTrackConstrai
     return track?.readyState === "live" && !track.muted && video.videoWidth > 0;
   }
 
-  /** Current frame; undefined if there is none. */
+  /** Current frame; undefined if the browser has none, as for a moment after the camera started. */
   async function grab() {
     const grabbed = track;
     if (!hasPicture()) return undefined;
-    const frame = await createImageBitmap(video);
+    const frame = await createImageBitmap(video).catch(() => undefined);
     if (grabbed === track) return frame;
-    frame.close();
+    frame?.close();
     return undefined;
   }
 

@@ -42,10 +42,12 @@ export function setUpCamera(openPhoto: (photo: Blob) => void) {
     if (!stream.hasPicture()) throw { code: "camera-lost", message: "the camera is muted", hint: "" };
     const ticket = timer;
     const frame = await stream.grab();
-    const photo = frame && (await pngOf(frame));
-    frame?.close();
     // The dialog was closed meanwhile.
-    if (!photo || timer !== ticket) return;
+    if (timer !== ticket) return frame?.close();
+    if (!frame) throw { code: "camera-lost", message: "the camera has no frame", hint: "" };
+    const photo = await pngOf(frame);
+    frame.close();
+    if (timer !== ticket) return;
     close();
     openPhoto(photo);
   }
