@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
-import { openOther } from "./groups.mjs";
+import { PREVIOUS_FACE, openOther } from "./groups.mjs";
 import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 
 /** Longer than the page's timeouts for database and locks. */
@@ -163,6 +163,17 @@ test("a lock that a busy browser grants late is used", { tag: "@rare" }, async (
   assert.deepEqual((await storedWorks(visitor.page)).map(({ isLocked }) => isLocked), [true]);
 });
 
+test("a lock that a busy browser ends late is not another tab's", { tag: "@rare" }, async ({ open }) => {
+  const visitor = await open({ scripts: [endLocksLate] });
+  await visitor.openFace();
+  await openOther(visitor);
+  await visitor.page.click(PREVIOUS_FACE);
+  await visitor.untilFace();
+  await visitor.move("nose tip", "z", 9);
+  await untilSaved(visitor.page, 2);
+  assert.equal((await storedWorks(visitor.page)).length, 2);
+});
+
 test("the last saved work counts as the latest, regardless of clock changes", { tag: "@rare" }, async ({ open }) => {
   const first = await open();
   await first.openFace();
@@ -294,6 +305,20 @@ function delayLocks() {
   locks.query = async () => {
     await after(1500);
     return query();
+  };
+}
+
+/** Runs in the page. */
+function endLocksLate() {
+  const { locks } = navigator;
+  const request = locks.request.bind(locks);
+  locks.request = (name, ...rest) => {
+    const [hold] = rest.slice(-1);
+    if (!name.startsWith("rosto-slot-")) return request(name, ...rest);
+    return request(name, ...rest.slice(0, -1), async (lock) => {
+      await hold(lock);
+      await new Promise((resolve) => setTimeout(resolve, 8000));
+    });
   };
 }
 

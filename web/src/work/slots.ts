@@ -25,6 +25,9 @@ const QUERY_MS = 2000;
 const DRAFT = "rosto-drafts-";
 const ORDER = "rosto-order";
 
+/** Slots of the locks that this tab holds, by their release functions. A busy browser ends a lock after its release. */
+const ownLocks = new Map<() => void, string>();
+
 /** Highest save order known to this tab. */
 let latest = 0;
 
@@ -132,16 +135,17 @@ export async function lockSlot(slot: string) {
   const granted = new Promise<() => void>((resolve, reject) => {
     const hold = () => new Promise<void>((release) => {
       own = release;
+      ownLocks.set(release, slot);
       resolve(release);
     });
     const request = async () => navigator.locks.request(lockOf(slot), { signal: controller.signal }, hold);
-    request().catch(reject);
+    request().catch(reject).finally(() => own && ownLocks.delete(own));
   });
   return withTimeout(LOCK_MS, granted, "locking a slot").catch(async () => {
     controller.abort();
-    const isHeld = (await lockedAmong([slot])).has(slot);
+    const isElsewhere = ![...ownLocks.values()].includes(slot) && (await lockedAmong([slot])).has(slot);
     // A busy browser may have granted it after the limit.
-    return own ?? (isHeld ? undefined : () => {});
+    return own ?? (isElsewhere ? undefined : () => {});
   });
 }
 
