@@ -50,7 +50,10 @@ pub enum SolidError {
         pairs: usize,
     },
     /// The wall would intersect itself.
-    #[error("a wall of {thickness_m} m would intersect itself; the maximum is {most_m} m")]
+    #[error(
+        "a wall of {:.1} mm would intersect itself; the maximum is {:.1} mm",
+        1e3 * .thickness_m, (1e4 * .most_m).floor() / 10.0
+    )]
     TooThick {
         /// Requested thickness, in metres.
         thickness_m: f64,

@@ -43,8 +43,10 @@ impl Body {
         let body = match closing {
             Closing::Thickness { thickness_m } => {
                 check(thickness_m)?;
-                let partly = Smoothing { original: surface, smoothed, thickness_m }.walled();
-                partly.map_or_else(|| whole().or_else(|_| Self::closed(surface, closing)), Ok)
+                let smoothing = Smoothing { original: surface, smoothed, thickness_m };
+                // The error of the smoothed surface, on which a larger thickness fits.
+                let whole = || whole().or_else(|error| smoothing.unsmoothed().ok_or(error));
+                smoothing.walled().map_or_else(whole, Ok)
             }
             Closing::FlatBack { .. } => Self::closed(surface, closing).or_else(|_| whole()),
         }?;
@@ -68,6 +70,13 @@ impl Smoothing<'_> {
         }
         let is_stable = |body: &Body| body.thinnest_m() >= STABLE * self.thickness_m;
         STABLE_WITHIN.into_iter().find_map(|within| self.closed(&self.blended(&tight, within)).ok().filter(is_stable))
+    }
+
+    /// Closes the surface as it is, with a wall of any thickness.
+    fn unsmoothed(&self) -> Option<Body> {
+        let front = Front::new(self.original).ok()?;
+        let back = wall::back(&front, self.thickness_m)?;
+        Body::with_back(front, back, self.thickness_m).ok()
     }
 
     fn closed(&self, positions: &[DVec3]) -> Result<Body, SolidError> {

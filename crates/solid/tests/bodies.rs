@@ -121,6 +121,19 @@ fn a_surface_is_smoothed_only_around_tight_folds() {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
+fn a_thickness_suggested_for_a_small_face_fits() {
+    let (topology, firm, soft) = smooth(2);
+    let [firm, soft] = [firm, soft].map(|positions| positions.iter().map(|at| *at * 0.45).collect::<Vec<_>>());
+    let surface = Surface::new(&topology, &firm).unwrap();
+    let closed = |thickness_m| Body::closed_or_smoothed(surface, &soft, Closing::Thickness { thickness_m });
+    let Err(SolidError::TooThick { most_m, .. }) = closed(0.02) else { panic!("a wall of 20 mm fits") };
+    assert!(most_m >= 0.002, "{most_m} m");
+    assert_watertight(&closed(most_m).unwrap());
+}
+
+#[test]
+#[ignore = "slow; runs at night"]
 fn a_body_with_carved_eyes_is_watertight_and_as_thick() {
     for (levels, size) in [(0, 1.0), (1, 0.55), (2, 1.0), (2, 0.55), (2, 0.28)] {
         let (topology, firm, soft) = smooth(levels);
