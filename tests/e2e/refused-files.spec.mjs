@@ -19,7 +19,7 @@ const BAD_HEADERS = [
 const BAD_EXTRAS = [
   ["a GLB of another version", "other-version", (extras) => (extras.version = 99)],
   ["a history of another version", "other-version", ({ history }) => (history.version = 99)],
-  ["an empty object as history", "damaged-glb", (extras) => (extras.history = {})],
+  ["an empty object as history", "bad-history", (extras) => (extras.history = {})],
   ["a photo without width", "damaged-glb", removeWidth],
   ["landmarks that are not a face", "not-a-face", scatterLandmarks],
   ["100 000 edits", "too-many-edits", (extras) => lengthenHistory(extras, 100_000)],

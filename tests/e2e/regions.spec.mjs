@@ -28,12 +28,10 @@ test("a region moves as one by its sliders, with its name, like on the command l
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
 });
 
-test("a region's landmarks are marked, and it can be dragged by each of them and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
+test("a region can be dragged by each of its landmarks and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
   await editor.findLandmark("nose tip");
   const noseTip = await editor.tagPosition();
-  const bare = await editor.view();
   await editor.selectRegion("nose");
-  assert.ok(difference(bare, await editor.view()) > 0.002, "the region is not marked");
   const start = await editor.meshJson("mm");
 
   await editor.drag(noseTip, { x: 0, y: -24 });

@@ -1,4 +1,5 @@
 use glam::{DVec2, DVec3};
+use rosto_face::Region;
 use rosto_session::{Intent, Selection, Session};
 use rosto_stage::Visibility;
 use rosto_studio::{FaceSlider, Switch};
@@ -29,6 +30,15 @@ fn marks_are_shown_while_the_pointer_moves_and_fade_at_rest() {
     assert_eq!(rest(&mut session, 4e3), 1.0, "an edit is in progress");
     act(&mut session, Intent::Commit);
     assert_eq!(rest(&mut session, 6e3), 0.0);
+}
+
+#[test]
+fn each_landmark_of_a_region_is_marked() {
+    let mut session = session();
+    select(&mut session, Selection::Region(Region::Nose));
+    let marks = session.stage().mark_words();
+    let is_marked = |vertex: &u32| marks.iter().any(|[marked, _]| marked == vertex);
+    assert!(Region::Nose.vertices().iter().all(is_marked), "{marks:?}");
 }
 
 #[test]
