@@ -153,10 +153,16 @@ impl Camera {
     }
 
     /// Sets the lens and glides to its distance; the framed sphere keeps its size. [`Lens::AsTaken`] goes to the
-    /// pinhole's pose and frames everything; the others remove any roll.
+    /// pinhole's pose and frames everything; the others remove any roll. In front of a picture, the others change only a
+    /// view that is turned out of the pinhole's.
     pub fn set_lens(&mut self, lens: Lens) {
-        if self.lens != lens {
-            self.lens = lens;
+        if self.lens == lens {
+            return;
+        }
+        self.lens = lens;
+        if self.framed.is_some() && lens != Lens::AsTaken {
+            self.goal.eye = self.eye_towards(&self.goal.facing);
+        } else {
             self.apply_lens();
         }
     }

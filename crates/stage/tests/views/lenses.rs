@@ -1,7 +1,7 @@
 //! Properties of all lenses, and of each.
 
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
-use rosto_stage::{Camera, Glide, Lens, NamedView, Pinhole};
+use rosto_stage::{Camera, Glide, Lens, NamedView, PicturePlane, Pinhole};
 
 const CENTRE_M: DVec3 = DVec3::new(0.004, -0.01, 0.02);
 const RADIUS_M: f64 = 0.12;
@@ -213,6 +213,31 @@ fn orbiting_as_taken_rotates_the_model_about_its_centre() {
         let seen_px = camera.project(CENTRE_M + turn * (point_m - CENTRE_M)).unwrap();
         assert!(seen_px.distance(position_px) < 1e-8, "{seen_px}");
     }
+}
+
+#[test]
+fn in_front_of_a_picture_a_lens_applies_to_turned_views_and_keeps_their_direction() {
+    let mut camera = camera(Lens::Portrait);
+    let [right_m, down_m] = [DVec3::X, DVec3::NEG_Y].map(|axis| axis * 1e-3);
+    let size_px = DVec2::new(640.0, 480.0);
+    let origin_m = CENTRE_M - right_m * 320.0 - down_m * 240.0;
+    camera.frame_picture(Some(PicturePlane { origin_m, right_m, down_m, size_px }));
+    let mut seen_px = |lens: Lens, view: NamedView| {
+        camera.look(view);
+        camera.set_lens(lens);
+        camera.advance(0.0);
+        let places_px: Vec<DVec2> = points_m().map(|point_m| camera.project(point_m).unwrap()).collect();
+        (places_px, camera.back())
+    };
+    let home = seen_px(Lens::Portrait, NamedView::Reset);
+    let [portrait, near, parallel] =
+        [Lens::Portrait, Lens::Near, Lens::Parallel].map(|lens| seen_px(lens, NamedView::Left));
+    for (one, other) in [(&portrait, &near), (&portrait, &parallel), (&near, &parallel)] {
+        assert_eq!(one.1, other.1, "the direction changed");
+        let furthest_px = one.0.iter().zip(&other.0).map(|(one, other)| one.distance(*other)).fold(0.0, f64::max);
+        assert!(furthest_px > 1.0, "{furthest_px} px");
+    }
+    assert_eq!(seen_px(Lens::Near, NamedView::Reset), home, "the photo's own lens");
 }
 
 #[test]
