@@ -102,7 +102,7 @@ test("wide windows show photo and 3D face next to each other, and a click on the
   await visitor.page.keyboard.press("p");
   assert.ok(!(await visitor.page.isVisible("#photo-pane")), "a narrow window shows both");
   await visitor.page.setViewportSize({ width: 1440, height: 900 });
-  assert.ok(await visitor.page.isVisible("#photo-pane"));
+  await visitor.page.waitForSelector("#photo-pane");
   await visitor.page.click("#split-view");
   assert.ok(!(await visitor.page.isVisible("#photo-pane")));
   await visitor.reloadAndResume();
