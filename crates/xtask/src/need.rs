@@ -9,6 +9,8 @@ pub enum Need {
     Page,
     /// The WebAssembly tests' runner.
     WasmPack,
+    /// Packages of the Python tests.
+    Python,
     /// The newest Chromium, and its driver.
     Chromium,
     /// The oldest Chromium that the tests support.
@@ -22,4 +24,4 @@ pub enum Need {
 /// Needs of the page.
 pub const PAGE: [Need; 2] = [Need::Assets, Need::Page];
 /// Needs of the gate.
-pub const GATE: [Need; 4] = [Need::Assets, Need::Page, Need::WasmPack, Need::Chromium];
+pub const GATE: [Need; 5] = [Need::Assets, Need::Page, Need::WasmPack, Need::Python, Need::Chromium];

@@ -35,18 +35,22 @@ pub fn environment(requirements: &[&str], why: &str) -> Result<PathBuf> {
     Ok(python)
 }
 
-/// Returns an interpreter with the package and what its tests import, built from the artefacts of the native tests.
+/// Returns an interpreter with what the package's tests import.
+pub fn without_package() -> Result<PathBuf> {
+    environment(&[MATURIN, TESTS], "60 MB: pandas, pyarrow and mypy for the tests")
+}
+
+/// Like [`without_package`], with the package, built from the artefacts of the native tests.
 pub fn for_tests() -> Result<PathBuf> {
-    with_package(&[MATURIN, TESTS], "60 MB: pandas, pyarrow and mypy for the tests")
+    with_package(without_package()?)
 }
 
 /// Like [`for_tests`], with clusters and notebooks.
 pub fn for_clusters() -> Result<PathBuf> {
-    with_package(&[MATURIN, TESTS, CLUSTERS], "300 MB: Ray, Dask and Jupyter for the tests")
+    with_package(environment(&[MATURIN, TESTS, CLUSTERS], "300 MB: Ray, Dask and Jupyter for the tests")?)
 }
 
-fn with_package(requirements: &[&str], why: &str) -> Result<PathBuf> {
-    let python = environment(requirements, why)?;
+fn with_package(python: PathBuf) -> Result<PathBuf> {
     install_package(&python, "--profile dev --compatibility linux")?;
     Ok(python)
 }

@@ -1,6 +1,6 @@
 //! Installs the missing tools and files of a task.
 
-use crate::need::Need::{OldChromium, Page, Readers, WasmPack};
+use crate::need::Need::{OldChromium, Page, Python, Readers, WasmPack};
 use crate::need::{GATE, Need};
 use crate::places::{WASM, remapped, root};
 use crate::run::{Run, causes, elapsed};
@@ -38,9 +38,11 @@ pub fn run(_: &[&str]) -> Result<()> {
 pub fn obtain(needs: &[Need]) -> Result<Kit> {
     thread::scope(|scope| {
         let system = scope.spawn(|| system::obtain(needs));
+        let python = scope.spawn(|| if needs.contains(&Python) { python::without_package().err() } else { None });
         let readers = scope.spawn(|| if needs.contains(&Readers) { readers() } else { Kit::default() });
         let mut kit = with_tools(needs)?;
         kit.missing = system.join().expect("invariant: setting up does not panic");
+        kit.missing.extend(python.join().expect("invariant: setting up does not panic"));
         kit.extend(readers.join().expect("invariant: setting up does not panic"));
         let chromium = system::chromium().map(|program| ("ROSTO_BROWSER", Ok(program)));
         let oldest = needs.contains(&OldChromium).then(|| ("ROSTO_OLDEST_BROWSER", system::oldest_chromium()));

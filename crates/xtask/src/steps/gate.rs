@@ -1,5 +1,5 @@
 use super::{Step, WORKER_MODULE, cargo, early, in_chromium, packages, step, tested_on_wasm, with_command_line};
-use crate::need::Need::{Assets, Chromium, Page, WasmPack};
+use crate::need::Need::{Assets, Chromium, Page, Python, WasmPack};
 use crate::page;
 use crate::places::WASM;
 use crate::python;
@@ -23,7 +23,7 @@ pub const GATE: [Step; 15] = [
     step("examples", "examples in the documentation", &[Assets], |_| {
         Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
     }),
-    step("python", "Python package", &[Assets], |_| {
+    step("python", "Python package", &[Assets, Python], |_| {
         let pytest = python::pytest(&python::for_tests()?).words("--numprocesses auto tests/python");
         with_command_line(pytest.arg("--ignore=tests/python/night"))
     }),
