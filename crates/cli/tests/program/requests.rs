@@ -159,6 +159,7 @@ fn by_command_line(row: &Value) -> Vec<Named> {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn library_and_command_line_write_the_same_bytes() {
     let photo = observation();
     for row in table() {
