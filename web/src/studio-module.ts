@@ -1,4 +1,4 @@
-import init, { catalogue, createRenderer, replaceInstance, start } from "../wasm/rosto-studio-web.js";
+import init, { catalogue, createRenderer, renew, replaceInstance, start } from "../wasm/rosto-studio-web.js";
 import { fetchFile, fileUrl } from "./files.ts";
 import { asPageError } from "./page/page-error.ts";
 import { nextTask } from "./page/tasks.ts";
@@ -8,7 +8,7 @@ import type { Studio } from "../wasm/rosto-studio-web.js";
  * The page's module has two builds: one for WebGPU, and a larger one for WebGL2, which only browsers without WebGPU
  * download. Both export the same API.
  */
-const forWebGpu = { default: init, createRenderer, replaceInstance, catalogue, start };
+const forWebGpu = { default: init, createRenderer, replaceInstance, renew, catalogue, start };
 type StudioModule = Omit<typeof forWebGpu, "default"> & {
   default: (from: { module_or_path: Promise<Response> }) => Promise<unknown>;
 };
@@ -101,8 +101,7 @@ function loaded<T>(part: Promise<T>) {
 export async function restartStudio(canvas: HTMLCanvasElement) {
   if (hasTrapped) {
     current.replaceInstance();
-    // The next call creates the instance.
-    current.catalogue();
+    current.renew();
     hasTrapped = false;
   }
   if (isFallback()) await resetContext(canvas);

@@ -30,12 +30,19 @@ pub use renderer::{Renderer, create_renderer};
 pub use snapshot::Snapshot;
 pub use studio::Studio;
 
-/// Replaces this instance of the module, whose memory may be corrupt after a trap. The next call creates the new one;
-/// objects of the old one then throw.
+/// Replaces this instance of the module, whose memory may be corrupt after a trap. Call [`renew`] next, which creates the
+/// new one; objects of the old one then throw.
 #[wasm_bindgen(js_name = replaceInstance)]
 pub fn replace_instance() {
     wasm_bindgen::handler::schedule_reinit();
 }
+
+/// Creates the new instance after [`replace_instance`].
+///
+/// Calls that return through memory must not do that: wasm-bindgen 0.2.130 would move the old instance's stack pointer
+/// down by 16 bytes and the new one's up, so that the new stack would overlap static data.
+#[wasm_bindgen]
+pub fn renew() {}
 
 /// Requests a GPU, binds it to the canvas, and creates an empty studio on it.
 ///
