@@ -20,7 +20,8 @@ pub(super) fn stl_of(triangles: &[[u32; 3]], positions_m: &[DVec3]) -> Vec<u8> {
     file[..title.len()].copy_from_slice(title);
     file.extend((triangles.len() as u32).to_le_bytes());
     for corners in triangles {
-        let [a, b, c] = corners.map(|corner| positions_m[corner as usize] * MM_PER_M);
+        // As they are written, so that the normal depends on nothing else.
+        let [a, b, c] = corners.map(|corner| (positions_m[corner as usize] * MM_PER_M).as_vec3().as_dvec3());
         let normal = (b - a).cross(c - a).normalize_or_zero();
         for vector in [normal, a, b, c] {
             push(&mut file, vector);
