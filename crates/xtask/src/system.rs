@@ -91,7 +91,9 @@ pub fn chromium() -> Option<PathBuf> {
     let named = std::env::var_os("ROSTO_BROWSER").map(PathBuf::from);
     let program = named.or_else(|| CHROMIUM.into_iter().find_map(find))?;
     let version = Run::new(&program).arg("--version").log("browser").checked().unwrap_or_default();
-    println!("  · browser of the tests: {} ({})", version.trim(), program.display());
+    // After the warnings of a start script.
+    let version = version.trim().lines().last().unwrap_or("unknown version");
+    println!("  · browser of the tests: {version} ({})", program.display());
     Some(program)
 }
 
