@@ -119,6 +119,12 @@ test("a camera closed while it starts, or that cannot play or be photographed, l
   assert.equal((await visitor.notice()).code, "other");
   assert.ok(await page.isHidden("#camera"));
 
+  await openCamera(page);
+  await page.evaluate(() => (window.createImageBitmap = () => Promise.reject(new DOMException("not usable", "InvalidStateError"))));
+  await page.click("#camera-shutter");
+  await page.waitForSelector("#notice[data-code='camera-lost']");
+  assert.ok(await page.isHidden("#camera"));
+
   await page.evaluate(rejectIn, ["HTMLMediaElement", "play"]);
   await page.click("#welcome [data-action='camera']");
   await page.waitForSelector("#notice[data-code='no-camera']");

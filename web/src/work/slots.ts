@@ -141,11 +141,14 @@ export async function lockSlot(slot: string) {
     const request = async () => navigator.locks.request(lockOf(slot), { signal: controller.signal }, hold);
     request().catch(reject).finally(() => own && ownLocks.delete(own));
   });
+  const releaseOnceGranted = () => void granted.then((release) => release()).catch(() => {});
   return withTimeout(LOCK_MS, granted, "locking a slot").catch(async () => {
+    // The new lock follows once the browser has ended the earlier one.
+    if ([...ownLocks.values()].includes(slot)) return releaseOnceGranted;
     controller.abort();
-    const isElsewhere = ![...ownLocks.values()].includes(slot) && (await lockedAmong([slot])).has(slot);
+    const isHeld = (await lockedAmong([slot])).has(slot);
     // A busy browser may have granted it after the limit.
-    return own ?? (isElsewhere ? undefined : () => {});
+    return own ?? (isHeld ? undefined : () => {});
   });
 }
 
