@@ -21,7 +21,8 @@ async function turnLeft(page) {
 test("each lens changes the view and the saved picture, and has a description", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
-  // From where the photo was taken, every lens is the photo's.
+  const home = await editor.view();
+  // Only a turned view shows the chosen lens; the others show the photo's.
   await turnLeft(page);
   const [views, pictures, helps] = [[], [], new Set()];
   for (const lens of LENSES) {
@@ -41,5 +42,7 @@ test("each lens changes the view and the saved picture, and has a description", 
   await chooseLens(editor, "portrait");
   await turnLeft(page);
   assert.equal(difference(views[0], await editor.view()), 0, "the portrait was not restored");
+  await page.click("#toolbar [data-action='reset-view']");
+  assert.equal(difference(home, await editor.view()), 0, "the view was not reset");
   assert.deepEqual(await editor.history(), []);
 });
