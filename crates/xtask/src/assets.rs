@@ -1,11 +1,12 @@
 //! npm packages, face networks and the sample portrait.
 
 use crate::places::{assets, cache, remove_folder, root, sha256, target};
-use crate::run::{Run, announced};
+use crate::run::{Run, announced, is_program};
 use crate::system::with_pip;
 use anyhow::{Context, Result, ensure};
 use fs_err as fs;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 const OLDEST_NODE: u32 = 20;
 /// NASA photograph in the public domain, 512×512 px, from scikit-image's wheel.
@@ -15,8 +16,12 @@ const PORTRAIT_SHA256: &str = "88431cd9653ccd539741b555fb0a46b61558b301d4110412b
 const PORTRAIT_WHEEL: &str = "--python-version=3.11 --platform=manylinux2014_x86_64 scikit-image==0.25.2";
 const UNPACK: &str = "import glob, sys, zipfile; zipfile.ZipFile(glob.glob('*.whl')[0]).extract(sys.argv[1])";
 
+/// Held while files are obtained: the early steps and the set-up need the same ones.
+static OBTAINING: Mutex<()> = Mutex::new(());
+
 /// Downloads or builds missing files.
 pub fn obtain() -> Result<()> {
+    let _held = OBTAINING.lock().unwrap_or_else(PoisonError::into_inner);
     npm()?;
     networks()?;
     portrait()
@@ -30,10 +35,7 @@ pub fn only_networks(_: &[&str]) -> Result<()> {
 
 /// Installs the packages in `package-lock.json`.
 pub fn npm() -> Result<()> {
-    let advice = format!("install Node.js {OLDEST_NODE} or later, with npm");
-    let version = Run::new("node").arg("--version").checked().with_context(|| advice.clone())?;
-    let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());
-    ensure!(major.is_some_and(|major: u32| major >= OLDEST_NODE), "Node.js {} is too old: {advice}", version.trim());
+    node()?;
     let lock = fs::read(root().join("package-lock.json"))?;
     let installed = root().join("node_modules/.rosto-lock");
     if fs::read(&installed).is_ok_and(|installed| installed == lock) {
@@ -41,9 +43,19 @@ pub fn npm() -> Result<()> {
     }
     announced("npm packages", "networks, type checker, linter and test tools", || {
         let install = Run::new("npm").words("ci --no-audit --no-fund").checked();
-        install.with_context(|| format!("npm must reach its package registry; {advice}"))?;
+        install.context("npm must reach its package registry")?;
         Ok(fs::write(installed, lock)?)
     })
+}
+
+/// Fails if Node.js is missing or too old.
+pub fn node() -> Result<()> {
+    let advice = format!("install Node.js {OLDEST_NODE} or later, with npm");
+    let version = Run::new("node").arg("--version").checked().with_context(|| advice.clone())?;
+    let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());
+    ensure!(major.is_some_and(|major: u32| major >= OLDEST_NODE), "Node.js {} is too old: {advice}", version.trim());
+    ensure!(is_program("npm"), "npm not found: {advice}");
+    Ok(())
 }
 
 /// Converts MediaPipe's networks to ONNX for the page and the Python package.

@@ -60,7 +60,7 @@ fn solvers(_: &Kit) -> Result<Run> {
 
 fn batches(_: &Kit) -> Result<Run> {
     let python = python::environment(&[python::MATURIN, MEDIAPIPE], "MediaPipe for comparison")?;
-    python::install_package(&python, "--release")?;
+    python::install_package(&python, python::maturin(&python).arg("--release"))?;
     Ok(Run::new(python).arg("tests/bench/many.py").arg(assets().join("sample.png")))
 }
 

@@ -3,6 +3,7 @@
 use crate::assets;
 use crate::places::{self, cache, remove_folder, root, sha256, target};
 use crate::run::{Run, announced};
+use crate::rust::compiled_by_clippy;
 use crate::system::with_pip;
 use anyhow::{Context, Result};
 use fs_err as fs;
@@ -51,7 +52,7 @@ pub fn for_clusters() -> Result<PathBuf> {
 }
 
 fn with_package(python: PathBuf) -> Result<PathBuf> {
-    install_package(&python, "--profile dev --compatibility linux")?;
+    install_package(&python, compiled_by_clippy(maturin(&python)).words("--profile dev --compatibility linux"))?;
     Ok(python)
 }
 
@@ -60,17 +61,22 @@ pub fn pytest(python: &Path) -> Run {
     Run::new(python).words("-m pytest --quiet --disable-warnings --durations=5 -p no:cacheprovider")
 }
 
-/// Builds the package with these options of maturin, and installs it without its dependencies.
-pub fn install_package(python: &Path, options: &str) -> Result<()> {
-    let wheel = build(python, "python/wheels", options)?;
+/// maturin's command that builds the package; takes options.
+pub fn maturin(python: &Path) -> Run {
+    Run::new(python).words("-m maturin build --locked --manifest-path crates/python/Cargo.toml").log("maturin")
+}
+
+/// Builds the package with maturin, and installs it without its dependencies.
+pub fn install_package(python: &Path, maturin: Run) -> Result<()> {
+    let wheel = build(maturin, "python/wheels")?;
     pip(python).words("install --quiet --no-deps --force-reinstall").arg(wheel).checked().map(|_| ())
 }
 
 /// `cargo xtask wheel`: builds the wheel in `target/wheels`, and finds a face with it in an empty environment.
 pub fn wheel(_: &[&str]) -> Result<()> {
     assets::obtain()?;
-    let maturin = environment(&[MATURIN], "builds the Python package")?;
-    let wheel = announced("wheel", "the first build takes several minutes", || build(&maturin, "wheels", "--release"))?;
+    let maturin = maturin(&environment(&[MATURIN], "builds the Python package")?).arg("--release");
+    let wheel = announced("wheel", "the first build takes several minutes", || build(maturin, "wheels"))?;
     let empty = target().join("python/empty");
     let python = empty.join("bin/python");
     Run::new("python3").words("-m venv --clear").arg(&empty).checked()?;
@@ -82,11 +88,10 @@ pub fn wheel(_: &[&str]) -> Result<()> {
 }
 
 /// Builds a wheel into an emptied folder of `target`, and returns its path.
-fn build(maturin: &Path, folder: &str, options: &str) -> Result<PathBuf> {
+fn build(maturin: Run, folder: &str) -> Result<PathBuf> {
     let folder = target().join(folder);
     remove_folder(&folder)?;
-    let build = Run::new(maturin).words("-m maturin build --locked --manifest-path crates/python/Cargo.toml");
-    build.words(options).arg("--out").arg(&folder).log("maturin").checked()?;
+    maturin.arg("--out").arg(&folder).checked()?;
     Ok(fs::read_dir(&folder)?.next().context("maturin did not build a wheel")??.path())
 }
 

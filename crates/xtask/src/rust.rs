@@ -166,9 +166,15 @@ pub fn command_line() -> Result<PathBuf> {
     Ok(target().join("debug/rosto"))
 }
 
-/// A cargo command for the workspace without the façades, which build for wasm32 alone.
+/// A cargo command for the workspace without the page's modules, which build for wasm32 alone.
 pub fn over_the_workspace(command: &str) -> Run {
-    Run::new("cargo").words(command).words("--workspace --exclude rosto-*-web* --locked")
+    compiled_by_clippy(Run::new("cargo").words(command).words("--workspace --exclude rosto-studio-web* --locked"))
+}
+
+/// Clippy compiles the workspace's crates with its lints, and denies warnings. One build is checked and tested, and
+/// dependencies are compiled once.
+pub fn compiled_by_clippy(cargo: Run) -> Run {
+    cargo.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver").env("CLIPPY_ARGS", "-Dwarnings")
 }
 
 /// Native tests, in several programs at once if nextest is installed.

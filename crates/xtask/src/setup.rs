@@ -36,11 +36,14 @@ pub fn run(_: &[&str]) -> Result<()> {
 
 /// Installs missing tools and files. Packages download while tools compile.
 pub fn obtain(needs: &[Need]) -> Result<Kit> {
+    assets::node()?;
     thread::scope(|scope| {
+        let files = scope.spawn(assets::obtain);
         let system = scope.spawn(|| system::obtain(needs));
         let python = scope.spawn(|| if needs.contains(&Python) { python::without_package().err() } else { None });
         let readers = scope.spawn(|| if needs.contains(&Readers) { readers() } else { Kit::default() });
         let mut kit = with_tools(needs)?;
+        files.join().expect("invariant: setting up does not panic")?;
         kit.missing = system.join().expect("invariant: setting up does not panic");
         kit.missing.extend(python.join().expect("invariant: setting up does not panic"));
         kit.extend(readers.join().expect("invariant: setting up does not panic"));
@@ -53,7 +56,6 @@ pub fn obtain(needs: &[Need]) -> Result<Kit> {
 
 /// Tools that cargo compiles, and the environment in which they run.
 fn with_tools(needs: &[Need]) -> Result<Kit> {
-    assets::obtain()?;
     let page: &[&Tool] = if needs.contains(&Page) { &[&WASM_BINDGEN, &TRUNK] } else { &[] };
     let tests: &[&Tool] = if needs.contains(&WasmPack) { &[&WASM_PACK] } else { &[] };
     let debian = if needs.contains(&Page) { rust::for_wasm()? } else { None };
