@@ -52,6 +52,7 @@ fn faces_become_watertight_bodies_without_self_intersections() {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn subdivided_faces_become_bodies_too() {
     let (topology, positions) = face(Triangulation::Canonical);
     for density in 1..=3 {

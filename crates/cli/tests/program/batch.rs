@@ -109,6 +109,7 @@ fn a_killed_batch_can_be_resumed() {
 /// Sixty photos of 12 MB decoded, with a memory limit of 400 MB.
 #[cfg(target_os = "linux")]
 #[test]
+#[ignore = "slow; runs at night"]
 fn memory_does_not_grow_with_photos() {
     let folder = scratch_folder("large");
     let large = image::open(portrait()).unwrap().resize_exact(2048, 2048, FilterType::Nearest).to_rgb8();

@@ -204,6 +204,7 @@ fn foreign_sidecar_files_are_not_replaced() {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn figures_are_replaced_only_if_an_earlier_run_wrote_them() {
     let folder = scratch_folder("figures");
     let paper = |more: &[&str]| {

@@ -49,6 +49,7 @@ fn the_wall_thickness_does_not_depend_on_the_density() {
 
 /// The portrait's face fills 1024 px of texture; its head alone, eight times as large, fills 2048 px.
 #[test]
+#[ignore = "slow; runs at night"]
 fn the_texture_size_is_limited_by_the_photo_and_by_the_option() {
     let large = scratch("large.png");
     let head = image::open(portrait()).unwrap().crop_imm(96, 0, 256, 256);

@@ -50,11 +50,13 @@ fn faces_cut_by_the_border_are_found() {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn all_faces_of_a_group_are_found_once() {
     assert_all_found(&["group_5_cells_280_tilt_20", "group_24_cells_240_tilt_15"]);
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn dark_low_contrast_noisy_and_blurred_faces_are_found() {
     assert_all_found(&["gamma_3_near", "contrast_10_far", "noise_80_near", "blur_3_near", "jpeg_10_far"]);
 }
@@ -134,6 +136,7 @@ fn spread_px(finder: &FaceFinder, model: &Model, options: &FindOptions) -> f64 {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn thorough_landmarks_vary_less_between_variants_of_a_face() {
     let finder = support::attention_finder();
     let model = Model::new(&finder, &support::assets::portrait());

@@ -31,6 +31,7 @@ fn shifted(landmarks: &[[f64; 2]], [dx, dy]: [f64; 2]) -> Vec<[f64; 2]> {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn a_still_face_with_noise_has_little_jitter() {
     /// Frame from which the region, which depends on the landmarks, has also converged.
     const SETTLED: usize = 10;

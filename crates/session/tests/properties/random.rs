@@ -11,10 +11,10 @@ use crate::invariants::{check, check_thoroughly, seen, shape};
 /// Interval of the expensive checks, in intents.
 const DEEPLY_EVERY: usize = 50;
 
-/// A quarter of the usual cases, because each case is a long sequence.
+/// An eighth of the usual cases, because each case is a long sequence.
 fn config() -> ProptestConfig {
     let config = ProptestConfig::default();
-    ProptestConfig { cases: config.cases.div_ceil(4), max_shrink_iters: 4_000, ..config }
+    ProptestConfig { cases: config.cases.div_ceil(8), max_shrink_iters: 4_000, ..config }
 }
 
 proptest! {

@@ -40,6 +40,7 @@ fn hidden_skin_is_closer_to_the_truth_than_projected_pixels() {
 }
 
 #[test]
+#[ignore = "slow; runs at night"]
 fn three_photos_of_different_exposure_cover_the_face() {
     let head = Head::painted(SIDE_PX);
     let cameras = [0.0, 40.0, -40.0].map(|yaw_deg| head.camera(yaw_deg));
