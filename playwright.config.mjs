@@ -16,8 +16,8 @@ export default defineConfig({
   expect: { timeout: 30_000 },
   use: { trace: "on-first-retry" },
   projects: [
-    { name: "usual", testMatch: SPECS, grepInvert: /@rare/ },
-    { name: "rare", testMatch: SPECS, grep: /@rare/ },
+    { name: "usual", testMatch: SPECS, grep: /@usual/ },
+    { name: "rare", testMatch: SPECS, grepInvert: /@usual/ },
     // Timings depend on other load.
     { name: "timed", testMatch: "*.timed.mjs", workers: 1, retries: 0 },
   ],

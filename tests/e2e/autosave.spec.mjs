@@ -26,7 +26,7 @@ test("an edit just before a reload or before closing the tab is saved", async ({
   assert.equal(await noseOut(next), 7);
 });
 
-test("an edit is saved at any time before a reload", { tag: "@rare" }, async ({ editor, page }) => {
+test("an edit is saved at any time before a reload", async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   // Around the debounce delay, the database has been asked and has not answered.
   for (const [place, wait_ms] of [185, 200, 205, 210, 220, 240].entries()) {
@@ -39,7 +39,7 @@ test("an edit is saved at any time before a reload", { tag: "@rare" }, async ({ 
 
 const REFUSALS = Object.entries({ throws: refuseDatabase, "answers with an error": refuseByError, "is full": refuseByFullness });
 for (const [how, refuse] of REFUSALS) {
-  test(`if the database ${how}, a notice says once that work cannot be saved, and editing continues`, { tag: "@rare" }, async ({ open }) => {
+  test(`if the database ${how}, a notice says once that work cannot be saved, and editing continues`, async ({ open }) => {
     const visitor = await open({ scripts: [refuse] });
     const { page } = visitor;
     await visitor.openFace();

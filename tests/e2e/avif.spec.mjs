@@ -10,7 +10,7 @@ const CHIN = { landmark: 152, x: 0.5, y: 0.9 };
 /** Tolerance as a fraction of the photo's size; 0.01 is 2 px. */
 const NEAR = 0.04;
 
-test("an AVIF, which the browser decodes, becomes an upright face in its colours, or shows an error", { tag: "@rare" }, async ({ visitor, page }) => {
+test("an AVIF, which the browser decodes, becomes an upright face in its colours, or shows an error", async ({ visitor, page }) => {
   const whole = await picture("drawn-face.avif");
   await visitor.drop(whole, "me.avif");
   await visitor.untilFace();

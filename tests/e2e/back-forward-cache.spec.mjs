@@ -4,7 +4,7 @@ import { inVersion } from "./server.mjs";
 import { test } from "./fixtures.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 
-test("a page restored from the back/forward cache continues its work", { tag: ["@way-back", "@rare"] }, async ({ editor, page }) => {
+test("a page restored from the back/forward cache continues its work", { tag: "@way-back" }, async ({ editor, page }) => {
   await leave(editor);
   assert.ok(await goBack(page), "the page was not in the back/forward cache");
   await expect.poll(async () => (await storedWorks(page)).filter(({ isLocked }) => isLocked).length).toBe(1);
@@ -17,7 +17,7 @@ test("a page restored from the back/forward cache continues its work", { tag: ["
 });
 
 for (const [how, stays] of /** @type {const} */ ([["is open in", true], ["was continued in", false]])) {
-  test(`a page restored from the back/forward cache does not change work that ${how} another tab`, { tag: ["@way-back", "@rare"] }, async ({ editor, page }) => {
+  test(`a page restored from the back/forward cache does not change work that ${how} another tab`, { tag: "@way-back" }, async ({ editor, page }) => {
     await leave(editor);
     const other = await editor.openTab();
     await other.resume();

@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { asJpeg, enormousPng, faceless, heic, outOfFocus, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("invalid files show an error, doubtful faces a remark, and the work stays", async ({ visitor, page }) => {
+test("invalid files show an error, doubtful faces a remark, and the work stays", { tag: "@usual" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 4);
   const work = await visitor.meshJson("mm");

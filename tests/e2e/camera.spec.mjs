@@ -25,7 +25,7 @@ for (const [[presses, press], tag] of variants([
   });
 }
 
-test("the dialog opens while the browser prompts, and a camera allowed after closing stops immediately", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
+test("the dialog opens while the browser prompts, and a camera allowed after closing stops immediately", { tag: "@camera" }, async ({ visitor, page }) => {
   await page.evaluate(() => (window.cameraWaits = true));
   await page.click("#welcome [data-action='camera']");
   assert.match(await page.innerText("#camera-status"), /allow the camera/);
@@ -46,7 +46,7 @@ test("the dialog opens while the browser prompts, and a camera allowed after clo
 });
 
 for (const moment of ["before the photo", "during the countdown"]) {
-  test(`a camera unplugged ${moment} closes the dialog with a notice and takes no photo`, { tag: ["@camera", "@rare"] }, async ({ open }) => {
+  test(`a camera unplugged ${moment} closes the dialog with a notice and takes no photo`, { tag: "@camera" }, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await openCamera(page);
@@ -62,7 +62,7 @@ for (const moment of ["before the photo", "during the countdown"]) {
   });
 }
 
-test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }, async ({ open }) => {
+test("Escape during the countdown takes no photo", { tag: "@camera" }, async ({ open }) => {
   const visitor = await open({ hasClock: true });
   const { page } = visitor;
   await openCamera(page);
@@ -79,7 +79,7 @@ test("Escape during the countdown takes no photo", { tag: ["@camera", "@rare"] }
   assert.ok(await page.isHidden("#progress"));
 });
 
-test("no photo is taken of a video without a size", { tag: ["@camera", "@rare"] }, async ({ open }) => {
+test("no photo is taken of a video without a size", { tag: "@camera" }, async ({ open }) => {
   const hideSize = () => Object.defineProperty(HTMLVideoElement.prototype, "videoWidth", { get: () => (window.videoHasSize ? 512 : 0) });
   const visitor = await open({ scripts: [recordCamera, hideSize] });
   const { page } = visitor;
@@ -94,7 +94,7 @@ test("no photo is taken of a video without a size", { tag: ["@camera", "@rare"] 
   await page.waitForSelector("#camera-shutter:enabled");
 });
 
-test("a camera closed while it starts, or that cannot play or be photographed, leaves no unhandled rejection", { tag: ["@camera", "@rare"] }, async ({ visitor, page }) => {
+test("a camera closed while it starts, or that cannot play or be photographed, leaves no unhandled rejection", { tag: "@camera" }, async ({ visitor, page }) => {
   for (let time = 0; time < 3; time += 1) {
     await page.click("#welcome [data-action='camera']");
     await leaveCamera(page);

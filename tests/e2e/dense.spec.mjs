@@ -29,7 +29,7 @@ async function findPoint({ page }, text) {
   await page.press("#landmark-search", "Enter");
 }
 
-test("a point of the densest mesh can be clicked, dragged and undone, with the command line's result", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a point of the densest mesh can be clicked, dragged and undone, with the command line's result", { tag: "@eyes" }, async ({ editor, page }) => {
   await choosePoints(editor, 3);
   assert.equal(await page.inputValue("#density"), "3");
   await findPoint(editor, "nose tip");
@@ -68,7 +68,7 @@ test("a point of the densest mesh can be clicked, dragged and undone, with the c
   assert.deepEqual(await editor.meshJson("mm"), start);
 });
 
-test("edits of points reopen from a GLB", { tag: "@rare" }, async ({ editor, open }) => {
+test("edits of points reopen from a GLB", async ({ editor, open }) => {
   await choosePoints(editor, 2);
   await findPoint(editor, "5000");
   await editor.setOffset("z", 2);

@@ -19,7 +19,7 @@ const test = base.extend({
 });
 
 for (const [when, needs] of /** @type {const} */ ([["opened on the first visit", "gpu"], ["opened without WebGPU", "webgl"]])) {
-  test(`after a deploy, a tab ${when} keeps its version, and a new tab has the new one`, { tag: ["@rare", `@${needs}`] }, async ({ open, server, builds: [older, newer] }) => {
+  test(`after a deploy, a tab ${when} keeps its version, and a new tab has the new one`, { tag: `@${needs}` }, async ({ open, server, builds: [older, newer] }) => {
     await server.deploy(older);
     const old = await open({ serviceWorkers: "allow" });
     await old.untilLoaded();

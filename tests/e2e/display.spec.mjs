@@ -8,7 +8,7 @@ test.use({ visit: { expert: true } });
 
 const PAINTS = ["picture", "colours", "clay", "normals", "response", "distortion"];
 
-test("each display mode changes the view; numeric ones show a legend", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("each display mode changes the view; numeric ones show a legend", { tag: "@eyes" }, async ({ editor, page }) => {
   // Without a radius, the influence covers most of the face.
   await editor.reveal("#edit-nearby");
   await page.uncheck("#edit-nearby");
@@ -30,7 +30,7 @@ test("each display mode changes the view; numeric ones show a legend", { tag: ["
   }
 });
 
-test("lines, points, density and openings change the view and can be reverted", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("lines, points, density and openings change the view and can be reverted", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   const first = await editor.view();
   for (const box of ["view-wireframe", "view-dots"]) {
@@ -46,7 +46,7 @@ test("lines, points, density and openings change the view and can be reverted", 
   assert.equal(difference(first, await editor.view()), 0, "the view was not restored");
 });
 
-test("the photo keeps its light unless the lamp is enabled; sphere and colour control the lamp", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the photo keeps its light unless the lamp is enabled; sphere and colour control the lamp", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.unfold("light");
   assert.ok(await page.locator("#light-lamp").evaluate((lamp) => lamp.disabled), "the lamp is enabled without effect");
   const own = await editor.view();
@@ -78,7 +78,7 @@ test("the photo keeps its light unless the lamp is enabled; sphere and colour co
   assert.ok(difference(fromTheRight, await editor.view()) > 0.05);
 });
 
-test("holding the button or B shows the original; a click shows before and after side by side", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("holding the button or B shows the original; a click shows before and after side by side", { tag: "@eyes" }, async ({ editor, page }) => {
   const before = await editor.view();
   await editor.findLandmark("nose tip");
   const nose = await editor.toViewPixels(await editor.tagPosition());
@@ -125,7 +125,7 @@ test("holding the button or B shows the original; a click shows before and after
   assert.ok(await page.isHidden("#wipe"), "the comparison stays open for another face");
 });
 
-test("a saved picture shows the face without marks", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a saved picture shows the face without marks", { tag: "@eyes" }, async ({ editor, page }) => {
   const plain = PNG.sync.read(await editor.download("download-picture"));
   await editor.findLandmark("nose tip");
   await editor.reveal("#edit-pin");
@@ -137,7 +137,7 @@ test("a saved picture shows the face without marks", { tag: ["@eyes", "@rare"] }
   assert.deepEqual(PNG.sync.read(await editor.download("download-picture")), plain);
 });
 
-test("auto-rotate runs until it is switched off", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("auto-rotate runs until it is switched off", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   const first = await editor.view();
   await page.check("#view-turntable");
@@ -149,7 +149,7 @@ test("auto-rotate runs until it is switched off", { tag: ["@eyes", "@rare"] }, a
   assert.equal(difference(turned, await editor.view()), 0, "the rotation did not stop");
 });
 
-test("the background can have any colour, in the view and the saved picture, where it can also be transparent", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the background can have any colour, in the view and the saved picture, where it can also be transparent", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   await page.fill("#background-colour", "#0cb4fa");
   assert.ok(await page.isChecked("#background-plain"));

@@ -6,7 +6,7 @@ test.use({ visit: { expert: true } });
 const NOSE_TIP = 1;
 const FOREHEAD = 151;
 
-test("the tag says that a drag is not mirrored, or is at the slider's limit", { tag: "@rare" }, async ({ editor, page }) => {
+test("the tag says that a drag is not mirrored, or is at the slider's limit", async ({ editor, page }) => {
   const tip = await editor.landmarkPosition(NOSE_TIP);
   await editor.grab(tip, { x: 40, y: 0 });
   assert.equal(await page.innerText("#landmark-tag"), "nose tip · 1, not mirrored");
@@ -21,7 +21,7 @@ test("the tag says that a drag is not mirrored, or is at the slider's limit", { 
   assert.equal(await slider.inputValue(), await slider.getAttribute("max"));
 });
 
-test("a press grabs the point highlighted under a resting pointer after the face has moved", { tag: "@rare" }, async ({ editor, page }) => {
+test("a press grabs the point highlighted under a resting pointer after the face has moved", async ({ editor, page }) => {
   const tip = await editor.landmarkPosition(NOSE_TIP);
   const [x, y] = [tip.x + 45, tip.y - 30];
   await page.focus("#viewport");
@@ -45,7 +45,7 @@ test("a press grabs the point highlighted under a resting pointer after the face
   assert.ok(names.size > 3, `the same everywhere: ${[...names]}`);
 });
 
-test("dragging outside the face, or with another button, turns it, and pans with Shift", { tag: "@rare" }, async ({ editor, page }) => {
+test("dragging outside the face, or with another button, turns it, and pans with Shift", async ({ editor, page }) => {
   const tip = await editor.landmarkPosition(NOSE_TIP);
   const brow = await editor.landmarkPosition(FOREHEAD);
   const beside = await editor.emptyPoint();

@@ -8,7 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("a dropped portrait becomes a mesh in its colours, and a click selects a point", { tag: "@eyes" }, async ({ visitor, page }) => {
+test("a dropped portrait becomes a mesh in its colours, and a click selects a point", { tag: ["@eyes", "@usual"] }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await assertPortraitColours(await visitor.view());
   await visitor.selectBy("landmark");
@@ -17,7 +17,7 @@ test("a dropped portrait becomes a mesh in its colours, and a click selects a po
   assert.ok(await page.isVisible("#landmark-tag"));
 });
 
-test("moving the nose tip changes picture and mesh like the command line, and undo restores both", { tag: "@eyes" }, async ({ editor }) => {
+test("moving the nose tip changes picture and mesh like the command line, and undo restores both", { tag: ["@eyes", "@usual"] }, async ({ editor }) => {
   await editor.choosePreset("paper");
   await editor.unfold("section-view");
   await editor.page.click("[data-action='view.left']");
@@ -41,7 +41,7 @@ test("moving the nose tip changes picture and mesh like the command line, and un
   assert.deepEqual(await editor.meshJson("mm"), after.mesh);
 });
 
-test("rotating details follow each tick and give the command line's mesh", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
+test("rotating details follow each tick and give the command line's mesh", { tag: "@eyes" }, async ({ editor }) => {
   await editor.findLandmark("61");
   await editor.unfold("section-advanced");
   await editor.page.selectOption("#details", "turned");

@@ -20,7 +20,7 @@ const REFUSALS = [
   [(face) => (face.src = 7), "bad-choice", /^src is 7; use a string$/],
 ];
 
-test("the element refuses arguments of a wrong kind with a code and the allowed values, and goes on without a restart", { tag: "@rare" }, async ({ openElement }) => {
+test("the element refuses arguments of a wrong kind with a code and the allowed values, and goes on without a restart", async ({ openElement }) => {
   const visitor = await openElement({ body: `<rosto-studio src="portrait.png" density="0"></rosto-studio><rosto-studio></rosto-studio>` });
   await visitor.until("rosto-ready", 2);
   await visitor.until("rosto-face");

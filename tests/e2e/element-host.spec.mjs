@@ -9,7 +9,7 @@ const TRUSTED = `${POLICY}; require-trusted-types-for 'script'; trusted-types ro
 
 const BODY = `<rosto-studio controls><img src="portrait.png" alt=""></rosto-studio>`;
 
-test("the element needs no other Trusted Types policy than its own, also if the host sends one with each file", { tag: "@rare" }, async ({ openElement }) => {
+test("the element needs no other Trusted Types policy than its own, also if the host sends one with each file", async ({ openElement }) => {
   const visitor = await openElement({ body: BODY, policy: TRUSTED, headers: { "content-security-policy": TRUSTED } });
   await visitor.until("rosto-face");
   await visitor.act((face) => face.setSlider("nose-width", 2));
@@ -36,7 +36,7 @@ const RESTRICTIONS = [
 ];
 
 for (const { code, when, hint, notices, ...host } of RESTRICTIONS) {
-  test(`in ${when}, the element shows the photo and reports ${code} at once`, { tag: "@rare" }, async ({ openElement }) => {
+  test(`in ${when}, the element shows the photo and reports ${code} at once`, async ({ openElement }) => {
     for (const [language, notice] of Object.entries(notices)) {
       const visitor = await openElement({ ...host, body: BODY.replace("controls", `lang="${language}"`) });
       const error = await visitor.until("rosto-error");
@@ -55,7 +55,7 @@ for (const { code, when, hint, notices, ...host } of RESTRICTIONS) {
   });
 }
 
-test("the element reports files from another website", { tag: "@rare" }, async ({ openElement }) => {
+test("the element reports files from another website", async ({ openElement }) => {
   const visitor = await openElement({ body: `<rosto-studio base="https://elsewhere.invalid/rosto"></rosto-studio>` });
   assert.equal((await visitor.until("rosto-error")).code, "other-origin");
   assert.match(await visitor.notice(), /another website/);
@@ -66,7 +66,7 @@ test("the element reports files from another website", { tag: "@rare" }, async (
 const SIZE = "width: 400px; height: 300px";
 
 for (const [how, style, parent = ""] of [["with display: none", "display: none"], ["without width", "width: 0"], ["in a hidden parent", SIZE, "hidden"]]) {
-  test(`an element ${how} starts when it is shown, as one shown at first does`, { tag: ["@eyes", "@rare"] }, async ({ openElement }) => {
+  test(`an element ${how} starts when it is shown, as one shown at first does`, { tag: "@eyes" }, async ({ openElement }) => {
     const body = `<div ${parent}><rosto-studio controls src="portrait.png" style="${style}"></rosto-studio></div>`;
     const visitor = await openElement({ body });
     await visitor.visitor.frames(5);
@@ -94,7 +94,7 @@ for (const [how, style, parent = ""] of [["with display: none", "display: none"]
   });
 }
 
-test("an element removed while hidden rejects what waits for it", { tag: "@rare" }, async ({ openElement }) => {
+test("an element removed while hidden rejects what waits for it", async ({ openElement }) => {
   const visitor = await openElement({ body: "<rosto-studio hidden></rosto-studio>" });
   const code = visitor.act((face) => face.getGlb().catch((error) => error.code));
   await visitor.act((face) => face.remove());

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./element-visitor.mjs";
 
-test("with the attribute panel, the element shows the page's shape panel, and each one edits its own face", { tag: "@rare" }, async ({ openElement }) => {
+test("with the attribute panel, the element shows the page's shape panel, and each one edits its own face", async ({ openElement }) => {
   const element = (id) => `<rosto-studio id="${id}" panel controls density="0" src="portrait.png"></rosto-studio>`;
   const body = `${element("one")}${element("other")}<button data-action="undo" data-of="host">Mine</button>`;
   const visitor = await openElement({ body });

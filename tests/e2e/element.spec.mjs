@@ -23,7 +23,7 @@ const EDITS = [
   { edit: (face) => face.moveLandmark(1, [0, 0, 6]), options: [...PAGE_EDIT_OPTIONS, "--edit", "1:0,0,6"] },
 ];
 
-test("on the example page, slider and drag reshape the face, events fire in order, and the GLB is valid", { tag: "@eyes" }, async ({ openElement }) => {
+test("on the example page, slider and drag reshape the face, events fire in order, and the GLB is valid", { tag: ["@eyes", "@usual"] }, async ({ openElement }) => {
   const visitor = await openElement();
   const { page } = visitor;
   await visitor.until("rosto-face");
@@ -52,7 +52,7 @@ test("on the example page, slider and drag reshape the face, events fire in orde
   assert.deepEqual(await validateGlb(glb), { clean: true, counts: "0/0/0/0", messages: [] });
 });
 
-test("the element's GLB equals the command line's, byte for byte", { tag: "@rare" }, async ({ openElement, project }) => {
+test("the element's GLB equals the command line's, byte for byte", async ({ openElement, project }) => {
   const visitor = await openElement();
   await visitor.until("rosto-face");
   await visitor.openFile(await projectAsCommandLine(project), "portrait.rosto");
@@ -92,14 +92,14 @@ test("the element reports files it cannot open by event and notice, and opens th
   assert.equal(await page.getAttribute("rosto-studio", "shading"), "normals");
 });
 
-test("a link whose name is not encoded opens", { tag: "@rare" }, async ({ openElement }) => {
+test("a link whose name is not encoded opens", async ({ openElement }) => {
   const visitor = await openElement({ body: "<rosto-studio></rosto-studio>" });
   await visitor.page.route(/100%\.jpg$/, (route) => route.fulfill({ path: SAMPLE }));
   await visitor.act((face) => face.open("100%.jpg"));
   assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face"]);
 });
 
-test("the element shows the photo requested last, even if an earlier one arrives later", { tag: "@rare" }, async ({ openElement }) => {
+test("the element shows the photo requested last, even if an earlier one arrives later", async ({ openElement }) => {
   const visitor = await openElement({ body: "<rosto-studio></rosto-studio>" });
   const { page } = visitor;
   let deliver = () => {};
@@ -117,7 +117,7 @@ test("the element shows the photo requested last, even if an earlier one arrives
   assert.deepEqual(await visitor.names(), ["rosto-ready", "rosto-face"]);
 });
 
-test("two elements share a page and its worker under a strict policy, and free everything when removed", { tag: "@rare" }, async ({ openElement }) => {
+test("two elements share a page and its worker under a strict policy, and free everything when removed", async ({ openElement }) => {
   const body = `<rosto-studio src="portrait.png"></rosto-studio><rosto-studio density="0"><img src="portrait.png" alt=""></rosto-studio>`;
   const visitor = await openElement({ body, policy: POLICY });
   const { page } = visitor;
@@ -155,7 +155,7 @@ test("two elements share a page and its worker under a strict policy, and free e
   if (page.workers().length > 0) await page.workers()[0].waitForEvent("close");
 });
 
-test("without 3D the element shows the photo and a notice", { tag: ["@no-gpu", "@rare"] }, async ({ openElement }) => {
+test("without 3D the element shows the photo and a notice", { tag: "@no-gpu" }, async ({ openElement }) => {
   const visitor = await openElement();
   assert.equal((await visitor.until("rosto-error")).code, "no-webgl");
   assert.match(await visitor.notice(), /can’t show 3D here\. Turn on/);
@@ -173,7 +173,7 @@ export const found = new VisionClient().open(new Blob()).then(({ opened }) => op
 export const session = FaceSession.open(document.createElement("canvas")).then((session) => session.apply("undo"));
 `;
 
-test("TypeScript finds the package's types with both module resolutions", { tag: "@rare" }, async () => {
+test("TypeScript finds the package's types with both module resolutions", async () => {
   const strict = ["--ignoreConfig", "--strict", "--noEmit", "--target", "es2023", "--lib", "es2023,esnext.disposable,dom,dom.iterable"];
   const ways = [["--module", "esnext", "--moduleResolution", "bundler"], ["--module", "nodenext", "--moduleResolution", "nodenext"]];
   for (const way of ways) {

@@ -6,7 +6,7 @@ const ENTRIES = 20_000;
 /** Generous for a slow machine; the regression that this test covers took minutes. */
 const LIMIT_MS = 30_000;
 
-test("a project of 20 000 edits opens, and edits and undo stay fast", { tag: "@rare" }, async ({ editor, page }) => {
+test("a project of 20 000 edits opens, and edits and undo stay fast", async ({ editor, page }) => {
   await editor.move("nose tip", "z", 1);
   const project = changedProject(await editor.download("save-project"), ({ history }) => {
     const [entry] = history.entries;
@@ -35,7 +35,7 @@ test("a project of 20 000 edits opens, and edits and undo stay fast", { tag: "@r
   assert.equal((await page.innerText("#history-earlier")).replaceAll(/\D/g, ""), "19900");
 });
 
-test("an error in one listener does not affect the others", { tag: "@rare" }, async ({ editor, page }) => {
+test("an error in one listener does not affect the others", async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   await page.evaluate(() => {
     const fail = () => { throw new Error("broken"); };

@@ -9,7 +9,7 @@ const TABS = {
   export: ["[data-action='download-json']", "[data-action='check-glb']"],
 };
 
-test("one switch shows technical controls and point numbers, and is remembered", { tag: "@rare" }, async ({ editor, page }) => {
+test("one switch shows technical controls and point numbers, and is remembered", async ({ editor, page }) => {
   const expectShown = async (isExpert) => {
     for (const [tab, [technical, ordinary]] of Object.entries(TABS)) {
       await page.click(`#tab-${tab}`);

@@ -14,7 +14,7 @@ test.use({ visit: { expert: true } });
 /** Density, vertices and triangles of the closed face. */
 const DENSITIES = [[0, 468, 898], [2, 7257, 14368]];
 
-test("a GLB passes the validator, and the page reports it before the download", async ({ editor, page }) => {
+test("a GLB passes the validator, and the page reports it before the download", { tag: "@usual" }, async ({ editor, page }) => {
   await editor.untilLoaded();
   await editor.move("nose tip", "z", 5);
   await editor.unfold("section-export");
@@ -34,7 +34,7 @@ test("a GLB passes the validator, and the page reports it before the download", 
   }
 });
 
-test("the print measurements match the command line, and the STL matches byte for byte", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the print measurements match the command line, and the STL matches byte for byte", async ({ visitor, page }) => {
   await openAsCommandLine(visitor);
   await visitor.reveal("#print-facts");
   for (const [body, length] of [["thickness:2", "2"], ["flat", "27"], ["surface"]]) {
@@ -51,7 +51,7 @@ test("the print measurements match the command line, and the STL matches byte fo
   }
 });
 
-test("a body that cannot be printed is refused with an allowed length", { tag: "@rare" }, async ({ editor, page }) => {
+test("a body that cannot be printed is refused with an allowed length", async ({ editor, page }) => {
   await editor.reveal("#print-facts");
   // Without densification, so that thick walls fit a small face.
   await page.selectOption("#export-density", "0");
@@ -83,7 +83,7 @@ test("a body that cannot be printed is refused with an allowed length", { tag: "
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("browsers with the features can share the GLB, copy the picture and open AR", { tag: "@rare" }, async ({ open }) => {
+test("browsers with the features can share the GLB, copy the picture and open AR", async ({ open }) => {
   const visitor = await open({ scripts: [installSharing] });
   const { page } = visitor;
   await visitor.openFace("ana");
@@ -117,7 +117,7 @@ test("browsers with the features can share the GLB, copy the picture and open AR
   assert.equal((await Promise.all([page.waitForEvent("download"), page.click("#share-glb")]))[0].suggestedFilename(), "ana.glb");
 });
 
-test("without share, clipboard and AR support, their buttons are hidden", { tag: "@rare" }, async ({ open }) => {
+test("without share, clipboard and AR support, their buttons are hidden", async ({ open }) => {
   const visitor = await open({ scripts: ["delete Navigator.prototype.canShare; delete window.ClipboardItem"] });
   await visitor.openFace();
   await visitor.unfold("section-export");
@@ -175,7 +175,7 @@ async function downloadGlb(visitor) {
   return { name, json: partsOfGlb(bytes).json, bytes: bytes.length };
 }
 
-test("a dense print is made without blocking the page, and can be cancelled", { tag: "@rare" }, async ({ editor, page }) => {
+test("a dense print is made without blocking the page, and can be cancelled", async ({ editor, page }) => {
   await editor.unfold("section-export");
   await page.selectOption("#export-density", "3");
   await editor.reveal("#print-facts");

@@ -24,7 +24,7 @@ async function express(visitor, expression, perCent) {
   await visitor.frames(3);
 }
 
-test("an expression is visible, can be undone, survives a reload, and becomes a named morph target", { tag: "@eyes" }, async ({ editor, page }) => {
+test("an expression is visible, can be undone, survives a reload, and becomes a named morph target", { tag: ["@eyes", "@usual"] }, async ({ editor, page }) => {
   const [rest, shape] = [await editor.view(), await editor.meshJson("mm")];
   await express(editor, "jawOpen", 60);
   assert.deepEqual(await editor.history(), ["Mouth open"]);

@@ -8,7 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 /** The alae of the nose, right and left. */
 const WINGS = [64, 294];
 
-test("nose width moves both sides equally, is one entry, equals the command line's result, and resets by a double click", async ({ editor, page }) => {
+test("nose width moves both sides equally, is one entry, equals the command line's result, and resets by a double click", { tag: "@usual" }, async ({ editor, page }) => {
   assert.equal(await page.locator("#section-face [id^='slider-']").count(), 10);
   const before = await editor.meshJson("mm");
 

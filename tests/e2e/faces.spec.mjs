@@ -11,7 +11,7 @@ import { hookModule, trapIn, refuseDatabase } from "./page-scripts.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("each face of a group keeps its edits and name when you switch between them, and the tab stays", { tag: "@rare" }, async ({ visitor, page }) => {
+test("each face of a group keeps its edits and name when you switch between them, and the tab stays", async ({ visitor, page }) => {
   await openGroup(visitor);
   assert.equal(await page.getAttribute("#face-choice", "aria-label"), "2 faces in this photo");
   assert.equal((await visitor.save("download-glb")).name, "group.glb");
@@ -52,7 +52,7 @@ test("each face of a group keeps its edits and name when you switch between them
   assert.match(kept.find(({ name }) => name === "group").edits, /nose-tip/);
 });
 
-test("after switching faces, a reload offers the last shown face with its work", { tag: "@rare" }, async ({ visitor, page }) => {
+test("after switching faces, a reload offers the last shown face with its work", async ({ visitor, page }) => {
   await openGroup(visitor);
   await visitor.move("nose tip", "z", 9);
   for (const index of [1, 0, 1, 0]) await choose(visitor, index);
@@ -64,7 +64,7 @@ test("after switching faces, a reload offers the last shown face with its work",
   assert.deepEqual(await visitor.work(), first);
 });
 
-test("the previous face is one click away with its edits, in both directions", { tag: "@rare" }, async ({ editor, page }) => {
+test("the previous face is one click away with its edits, in both directions", async ({ editor, page }) => {
   assert.ok(await page.isHidden("#faces"), "there is a previous face");
   await editor.move("nose tip", "z", 9);
   const photo = await editor.work();
@@ -91,7 +91,7 @@ test("the previous face is one click away with its edits, in both directions", {
   assert.ok(await page.isHidden("#face-choice"));
 });
 
-test("earlier photos are offered by name, with their edits", { tag: "@rare" }, async ({ visitor, page }) => {
+test("earlier photos are offered by name, with their edits", async ({ visitor, page }) => {
   const left = new Map();
   for (const [place, name] of ["ana", "bia", "clara", "dora", "eva"].entries()) {
     await visitor.openFace(name);
@@ -110,7 +110,7 @@ test("earlier photos are offered by name, with their edits", { tag: "@rare" }, a
 });
 
 for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["nothing", [refuseDatabase]]])) {
-  test(`returning to a group restores each face; the browser stores ${keeps}`, { tag: "@rare" }, async ({ open }) => {
+  test(`returning to a group restores each face; the browser stores ${keeps}`, async ({ open }) => {
     const visitor = await open({ scripts: [...scripts] });
     const { page } = visitor;
     await openGroup(visitor);
@@ -133,7 +133,7 @@ for (const [keeps, scripts] of /** @type {const} */ ([["everything", []], ["noth
   });
 }
 
-test("the last of several quickly chosen faces is shown, and a restart of the module changes nothing", { tag: "@rare" }, async ({ open }) => {
+test("the last of several quickly chosen faces is shown, and a restart of the module changes nothing", async ({ open }) => {
   const visitor = await open({ scripts: [hookModule] });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -163,7 +163,7 @@ test("the last of several quickly chosen faces is shown, and a restart of the mo
   assert.deepEqual(await visitor.work(), first);
 });
 
-test("on a phone a row of faces scrolls by wheel and keys, its cut ends fade, and the chosen face is visible", { tag: "@rare" }, async ({ open }) => {
+test("on a phone a row of faces scrolls by wheel and keys, its cut ends fade, and the chosen face is visible", async ({ open }) => {
   const visitor = await open({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
   const { page } = visitor;
   await visitor.openFace();
@@ -194,7 +194,7 @@ test("on a phone a row of faces scrolls by wheel and keys, its cut ends fade, an
 });
 
 for (const [width, height] of [[390, 844], [844, 390], [720, 450]]) {
-  test(`at ${width}×${height} the faces of a group appear over the stage and cover no other element`, { tag: "@rare" }, async ({ open }) => {
+  test(`at ${width}×${height} the faces of a group appear over the stage and cover no other element`, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.openFace();

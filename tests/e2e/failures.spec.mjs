@@ -28,7 +28,7 @@ async function failToSave(visitor, action) {
   return notice;
 }
 
-test("the open work stays when memory runs out while another file opens", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the open work stays when memory runs out while another file opens", async ({ visitor, page }) => {
   const mesh = await work(visitor);
   await page.evaluate(() => {
     const create = globalThis.createImageBitmap;
@@ -50,7 +50,7 @@ for (const { loss, lose, label, code } of [
   { loss: "memory for the picture", lose: starve, label: "still", code: "no-memory" },
   { loss: "memory for the render target", lose: starve, label: "attachment", code: "no-memory" },
 ]) {
-  test(`a picture that fails because ${loss} is lost is not saved, and the notice stays until dismissed`, { tag: "@rare" }, async ({ visitor, page }) => {
+  test(`a picture that fails because ${loss} is lost is not saved, and the notice stays until dismissed`, async ({ visitor, page }) => {
     const mesh = await work(visitor);
     const gpus = await page.evaluate("gpus.length");
     await page.evaluate(lose, label);
@@ -71,7 +71,7 @@ for (const { reply, action, code } of [
   { reply: "edited-photo", action: "download-photo-png", code: "photo-not-written" },
   { reply: "write", action: "download-glb", code: "file-not-written" },
 ]) {
-  test(`the notice names the right task if the worker crashes before the reply ${reply}`, { tag: "@rare" }, async ({ visitor, page }) => {
+  test(`the notice names the right task if the worker crashes before the reply ${reply}`, async ({ visitor, page }) => {
     await visitor.untilLoaded();
     const mesh = await work(visitor);
     await Promise.all(page.workers().map((worker) => worker.evaluate(crashBefore, reply)));
@@ -82,7 +82,7 @@ for (const { reply, action, code } of [
   });
 }
 
-test("a notice appears over an open dialog, can be closed there, and returns to the stage afterwards", { tag: "@rare" }, async ({ editor, page }) => {
+test("a notice appears over an open dialog, can be closed there, and returns to the stage afterwards", async ({ editor, page }) => {
   const dropWords = () => editor.drop(Buffer.from("words"), "words.txt");
   const isOnTop = () => page.evaluate(() => {
     const notice = document.getElementById("notice");

@@ -7,7 +7,7 @@ import { SAMPLE } from "./visitor.mjs";
 /** Maximum sizes of a photo, and of a GLB or project. */
 const [MAX_PHOTO_BYTES, MAX_SAVED_BYTES] = [40_000_000, 400_000_000];
 
-test("the first valid file of several is opened, and a notice says so", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the first valid file of several is opened, and a notice says so", async ({ visitor, page }) => {
   await visitor.untilInteractive();
   const portrait = await readFile(SAMPLE);
   const notes = { bytes: text(), name: "notes.txt", type: "text/plain" };
@@ -33,7 +33,7 @@ test("the first valid file of several is opened, and a notice says so", { tag: "
   await page.waitForSelector("#notice[data-code='unsupported-format']");
 });
 
-test("a dropped URL, text or HTML shows a notice, and text fields still accept text", { tag: "@rare" }, async ({ visitor, page }) => {
+test("a dropped URL, text or HTML shows a notice, and text fields still accept text", async ({ visitor, page }) => {
   await visitor.dropSample();
   const words = [
     { "text/uri-list": "https://example.com/me.jpg", "text/plain": "https://example.com/me.jpg" },
@@ -64,7 +64,7 @@ test("a dropped URL, text or HTML shows a notice, and text fields still accept t
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a middle drag turns the face and pastes nothing, and Ctrl V of text shows a notice", { tag: "@rare" }, async ({ open }) => {
+test("a middle drag turns the face and pastes nothing, and Ctrl V of text shows a notice", async ({ open }) => {
   const visitor = await open({ scripts: [recordMiddleButton], permissions: ["clipboard-read", "clipboard-write"] });
   const { page } = visitor;
   await visitor.openFace();
@@ -87,7 +87,7 @@ test("a middle drag turns the face and pastes nothing, and Ctrl V of text shows 
   assert.equal((await visitor.notice()).code, "not-a-file");
 });
 
-test("the file choosers offer HEIC photos, which open where the browser decodes them", async ({ visitor, page }) => {
+test("the file choosers offer HEIC photos, which open where the browser decodes them", { tag: "@usual" }, async ({ visitor, page }) => {
   await visitor.untilInteractive();
   for (const id of ["photo-file", "further-files"]) {
     const accepted = (await page.getAttribute(`#${id}`, "accept")).split(",");
@@ -99,7 +99,7 @@ test("the file choosers offer HEIC photos, which open where the browser decodes 
   assert.match(text, /Most Compatible/);
 });
 
-test("a dropped folder shows a notice", { tag: "@rare" }, async ({ visitor }, testInfo) => {
+test("a dropped folder shows a notice", async ({ visitor }, testInfo) => {
   await visitor.untilInteractive();
   const photos = testInfo.outputPath("photos.png");
   await mkdir(photos);
@@ -110,7 +110,7 @@ test("a dropped folder shows a notice", { tag: "@rare" }, async ({ visitor }, te
   await visitor.page.waitForSelector("#notice", { state: "hidden" });
 });
 
-test("a file of gigabytes is reported as too large, at the worker's limit", { tag: "@rare" }, async ({ visitor, page }, testInfo) => {
+test("a file of gigabytes is reported as too large, at the worker's limit", async ({ visitor, page }, testInfo) => {
   await visitor.untilInteractive();
   for (const [bytes, code, start] of /** @type {const} */ ([
     [3 * 2 ** 30, "too-many-bytes", ""],

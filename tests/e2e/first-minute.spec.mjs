@@ -4,7 +4,7 @@ import { PNG } from "pngjs";
 import { test } from "./fixtures.mjs";
 import { difference } from "./pixels.mjs";
 
-test("hints invite to turn and to drag, until the first edit", { tag: "@rare" }, async ({ visitor, page }) => {
+test("hints invite to turn and to drag, until the first edit", async ({ visitor, page }) => {
   const hint = async () => ((await page.isVisible("#hint")) ? page.textContent("#hint") : "");
   await visitor.dropSample();
   assert.equal(await hint(), "Drag next to the face to turn it");
@@ -25,13 +25,13 @@ test("hints invite to turn and to drag, until the first edit", { tag: "@rare" },
   assert.equal(await hint(), "", "a completed hint was shown after a reload");
 });
 
-test("on touch devices the hint mentions fingers", { tag: "@rare" }, async ({ open }) => {
+test("on touch devices the hint mentions fingers", async ({ open }) => {
   const visitor = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await visitor.dropSample();
   assert.match(await visitor.page.innerText("#hint"), /two fingers/);
 });
 
-test("one second after a drag, nothing covers the face", { tag: "@rare" }, async ({ editor, page }) => {
+test("one second after a drag, nothing covers the face", async ({ editor, page }) => {
   const nose = await editor.landmarkPosition(1);
   const opacity = () => page.locator("#landmark-tag").evaluate((tag) => Number(getComputedStyle(tag).opacity));
   await editor.grab(nose, { x: 4, y: -12 });
@@ -45,7 +45,7 @@ test("one second after a drag, nothing covers the face", { tag: "@rare" }, async
   await expect.poll(opacity).toBe(1);
 });
 
-test("a pointer that rests on the face does not keep the page drawing", { tag: "@rare" }, async ({ editor, page }) => {
+test("a pointer that rests on the face does not keep the page drawing", async ({ editor, page }) => {
   const nose = await editor.landmarkPosition(1);
   await page.evaluate(() => {
     const { submit } = GPUQueue.prototype;
@@ -63,7 +63,7 @@ test("a pointer that rests on the face does not keep the page drawing", { tag: "
 });
 
 for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2", "webgl"]])) {
-  test(`before a photo opens, only the wireframe covers the background: ${drawn}`, { tag: ["@rare", `@${needs}`] }, async ({ open }) => {
+  test(`before a photo opens, only the wireframe covers the background: ${drawn}`, { tag: `@${needs}` }, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", reducedMotion: "reduce" });
     await visitor.untilLoaded();
     const { data, width, height } = await visitor.view();
@@ -77,7 +77,7 @@ for (const [drawn, needs] of /** @type {const} */ ([["WebGPU", "eyes"], ["WebGL2
 
 for (const [reducedMotion, moves] of /** @type {const} */ ([["no-preference", true], ["reduce", false]])) {
   const verb = moves ? "turns slowly" : "keeps still";
-  test(`with ${reducedMotion} for motion, the empty face ${verb}`, { tag: ["@eyes", "@rare"] }, async ({ open }) => {
+  test(`with ${reducedMotion} for motion, the empty face ${verb}`, { tag: "@eyes" }, async ({ open }) => {
     const visitor = await open({ reducedMotion });
     await visitor.untilLoaded();
     const shot = async () => PNG.sync.read(await visitor.page.locator("#viewport").screenshot());

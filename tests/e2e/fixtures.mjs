@@ -10,7 +10,7 @@ const BELOW = "/some/where/";
 /**
  * Tests of the page. Tags choose the browser: `@eyes` (screenshots show the 3D view), `@webgl`, `@no-gpu`, `@camera`,
  * `@moving-camera` (plays the video of video-frames.mjs), `@seen-camera` (both `@eyes` and `@moving-camera`),
- * `@way-back` (with back/forward cache). The default run excludes `@rare` tests.
+ * `@way-back` (with back/forward cache). The gate runs `@usual` tests, the night the others.
  */
 export const test = base.extend({
   /** Browsers of this worker, launched when a test needs them. */
@@ -74,14 +74,14 @@ export const test = base.extend({
 });
 
 /**
- * Pairs similar cases with tags: the first one runs by default, the others are rare.
+ * Pairs similar cases with tags: the first one is usual, the others are rare.
  *
  * @template T
  * @param {readonly T[]} cases
  * @returns {[T, string[]][]}
  */
 export function variants(cases) {
-  return cases.map((one, place) => [one, place === 0 ? [] : ["@rare"]]);
+  return cases.map((one, place) => [one, place === 0 ? ["@usual"] : []]);
 }
 
 /** @param {Visitor[]} visitors @param {import("@playwright/test").TestInfo} testInfo */

@@ -29,7 +29,7 @@ const test = base.extend({
   },
 });
 
-test("tracking a camera's face is accurate at rest and does not lag in motion", { tag: ["@moving-camera", "@rare"] }, async ({ following }) => {
+test("tracking a camera's face is accurate at rest and does not lag in motion", { tag: "@moving-camera" }, async ({ following }) => {
   const seen = await following.evaluate(({ watch }, duration_ms) => watch(duration_ms), WATCHED_MS);
   assert.ok(seen.length > 30, `${seen.length} frames in ${WATCHED_MS} ms`);
   for (const { number, landmarks_px, answersMeanwhile } of seen) {
@@ -50,7 +50,7 @@ test("tracking a camera's face is accurate at rest and does not lag in motion", 
   assert.ok(Math.abs(lag) < 60, `it is ${lag} ms behind`);
 });
 
-test("the first and last of simultaneous frames are answered, stopping answers all, and a crashed worker is replaced", async ({ page, following }) => {
+test("the first and last of simultaneous frames are answered, stopping answers all, and a crashed worker is replaced", { tag: "@usual" }, async ({ page, following }) => {
   const vision = await following.evaluateHandle(({ client }) => client());
   const { answered, left } = await vision.evaluate(async (vision) => {
     const frames = await Promise.all(Array.from({ length: 6 }, () => createImageBitmap(new ImageData(64, 48))));
@@ -83,7 +83,7 @@ test("the first and last of simultaneous frames are answered, stopping answers a
   await restarted;
 });
 
-test("a large frame is downscaled, and its landmarks keep their positions", { tag: "@rare" }, async ({ following }) => {
+test("a large frame is downscaled, and its landmarks keep their positions", async ({ following }) => {
   const [small, large] = await following.evaluate(async ({ client }, sample) => {
     const vision = await client();
     const portrait = await createImageBitmap(await (await fetch(new URL(sample, document.baseURI))).blob());

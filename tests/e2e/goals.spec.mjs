@@ -1,7 +1,7 @@
 // The number of actions from a photo to each result.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 import { validateGlb } from "./validate-glb.mjs";
 
 /** @typedef {import("@playwright/test").Page} Page */
@@ -11,7 +11,7 @@ const DEVICES = {
   phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
 };
 
-/** @type {Record<string, { most: number, actions: ((page: Page) => Promise<unknown>)[], check: (file: Buffer, name: string) => unknown, isRare?: boolean }>} */
+/** @type {Record<string, { most: number, actions: ((page: Page) => Promise<unknown>)[], check: (file: Buffer, name: string) => unknown }>} */
 const GOALS = {
   "the edited photo": {
     most: 4,
@@ -20,7 +20,6 @@ const GOALS = {
   },
   "a print of 80 mm": {
     most: 4,
-    isRare: true,
     actions: [choosePhoto, (page) => page.click("#save-more"), (page) => page.click("#save-popover [data-action='open-print']"), (page) => page.click("[data-action='download-stl']")],
     check: (file) => assert.ok(Math.abs(heightOf(file) - 80) < 0.1, `${heightOf(file)} mm high`),
   },
@@ -31,9 +30,9 @@ const GOALS = {
   },
 };
 
-for (const [goal, { most, actions, check, isRare }] of Object.entries(GOALS)) {
-  for (const [[device, visit], tag] of variants(Object.entries(DEVICES))) {
-    test(`from a photo to ${goal} takes ${most} actions: ${device}`, { tag: isRare ? ["@rare"] : tag }, async ({ open }) => {
+for (const [goal, { most, actions, check }] of Object.entries(GOALS)) {
+  for (const [device, visit] of Object.entries(DEVICES)) {
+    test(`from a photo to ${goal} takes ${most} actions: ${device}`, async ({ open }) => {
       const visitor = await open(visit);
       const { page } = visitor;
       await visitor.untilLoaded();
@@ -49,7 +48,7 @@ for (const [goal, { most, actions, check, isRare }] of Object.entries(GOALS)) {
   }
 }
 
-test("the first slider and the sliders of a point are visible without scrolling, and about twelve controls at first", { tag: "@rare" }, async ({ open }) => {
+test("the first slider and the sliders of a point are visible without scrolling, and about twelve controls at first", async ({ open }) => {
   for (const [device, visit] of Object.entries(DEVICES)) {
     const visitor = await open(visit);
     await visitor.openFace();

@@ -9,7 +9,7 @@ for (const { drawn, needs } of [
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ]) {
-  test(`the view and the work recover when the GPU process crashes under ${drawn}`, { tag: ["@rare", `@${needs}`] }, async ({ editor, page }) => {
+  test(`the view and the work recover when the GPU process crashes under ${drawn}`, { tag: `@${needs}` }, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
     const before = { view: await editor.view(), mesh: await editor.meshJson("mm") };
     const gpus = await page.evaluate("gpus.length");
@@ -25,7 +25,7 @@ for (const { drawn, needs } of [
   });
 }
 
-test("while the WebGL2 context is lost a notice appears and edits continue; they show when it is restored", { tag: ["@webgl", "@rare"] }, async ({ editor, page }) => {
+test("while the WebGL2 context is lost a notice appears and edits continue; they show when it is restored", { tag: "@webgl" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const found = await editor.view();
   const canvas = page.locator("#viewport");

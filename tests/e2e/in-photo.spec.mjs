@@ -20,7 +20,7 @@ const photoOf = async (visitor) => PNG.sync.read(await visitor.download("downloa
 /** The photo as the command line saves it. @param {string[]} options */
 const byCommandLine = async (options) => PNG.sync.read(await photoByCommandLine(SAMPLE, ["--topology", "canonical", ...options]));
 
-test("an unedited photo is saved unchanged; edits stay within the falloff band and equal the command line's", async ({ visitor }) => {
+test("an unedited photo is saved unchanged; edits stay within the falloff band and equal the command line's", { tag: "@usual" }, async ({ visitor }) => {
   await visitor.dropSample();
   const before = await sample();
   assert.deepEqual((await photoOf(visitor)).data, before.data);
@@ -36,7 +36,7 @@ test("an unedited photo is saved unchanged; edits stay within the falloff band a
   assert.ok(step <= 1, String(step));
 });
 
-test("a wider falloff band moves more of the photo", { tag: "@rare" }, async ({ editor }) => {
+test("a wider falloff band moves more of the photo", async ({ editor }) => {
   await editor.setSlider("face-length", 8);
   const widths = [];
   for (const share of [10, 35, 80]) {
@@ -49,7 +49,7 @@ test("a wider falloff band moves more of the photo", { tag: "@rare" }, async ({ 
   assert.ok(widths[0] + 20 < widths[1] && widths[1] + 20 < widths[2], JSON.stringify(widths));
 });
 
-test("the photo can be viewed from further away, from nearer, and as taken", { tag: "@rare" }, async ({ editor }) => {
+test("the photo can be viewed from further away, from nearer, and as taken", async ({ editor }) => {
   const photos = [];
   for (const cm of [30, 300]) {
     await editor.unfold("section-in-photo");
@@ -64,7 +64,7 @@ test("the photo can be viewed from further away, from nearer, and as taken", { t
   assert.equal(difference(await photoOf(editor), await sample()), 0);
 });
 
-test("a transparent photo stays transparent as PNG, and becomes white as JPEG", { tag: "@rare" }, async ({ visitor }) => {
+test("a transparent photo stays transparent as PNG, and becomes white as JPEG", async ({ visitor }) => {
   const before = await sample();
   for (let pixel = 0; pixel < before.width * before.height; pixel++) {
     if (pixel % before.width >= before.width - 100) before.data[4 * pixel + 3] = 0;
@@ -78,7 +78,7 @@ test("a transparent photo stays transparent as PNG, and becomes white as JPEG", 
   assert.ok(Math.min(...colour) > 250, `${colour}`);
 });
 
-test("a 12-megapixel photo is saved at full size, upright and without EXIF data", { tag: "@rare" }, async ({ visitor, page }) => {
+test("a 12-megapixel photo is saved at full size, upright and without EXIF data", async ({ visitor, page }) => {
   await visitor.drop(withExif(await asJpeg(page, await readFile(SAMPLE), { width: 4000, height: 3000 })), "selfie.jpg");
   await visitor.untilFace();
   const before = await photoOf(visitor);

@@ -4,7 +4,7 @@ import { difference } from "./pixels.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page }) => {
+test("photo, edit, undo and redo work by keyboard alone", { tag: "@usual" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
 
   await page.focus("#welcome [data-action='choose']");
@@ -47,7 +47,7 @@ test("photo, edit, undo and redo work by keyboard alone", async ({ visitor, page
   assert.ok(await page.isHidden("#keys"), "a key that was typed into a field is a shortcut");
 });
 
-test("the skip link leads to moving by hand on each tab", { tag: "@rare" }, async ({ editor, page }) => {
+test("the skip link leads to moving by hand on each tab", async ({ editor, page }) => {
   await page.keyboard.press("Tab");
   assert.ok(await page.evaluate(() => document.activeElement?.matches(".skip-link")), "the skip link is not the first tab stop");
   await editor.selectBy("landmark");
@@ -63,7 +63,7 @@ test("the skip link leads to moving by hand on each tab", { tag: "@rare" }, asyn
   }
 });
 
-test("keys move the camera while the view has the focus", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("keys move the camera while the view has the focus", { tag: "@eyes" }, async ({ editor, page }) => {
   await page.focus("#viewport");
   const start = await editor.view();
   for (const key of ["ArrowLeft", "Control+Shift+ArrowUp", "Alt+ArrowUp", "l", "t", "w"]) {
@@ -92,7 +92,7 @@ const STOPS = {
 const EVERYWHERE = ["viewport", "undo", "language", "theme", "open-keys", "open-credits", "save-main", "save-more"];
 
 for (const [tab, stops] of Object.entries(STOPS)) {
-  test(`Tab reaches each control on the ${tab} tab, with a complete focus ring`, { tag: "@rare" }, async ({ editor, page }) => {
+  test(`Tab reaches each control on the ${tab} tab, with a complete focus ring`, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 3);
     await editor.unfold("section-paper");
     await page.click(`#tab-${tab}`);
@@ -109,7 +109,7 @@ for (const [tab, stops] of Object.entries(STOPS)) {
   });
 }
 
-test("a question mark opens the list of keys, except while typing; dialogs show complete focus rings", { tag: "@rare" }, async ({ open }) => {
+test("a question mark opens the list of keys, except while typing; dialogs show complete focus rings", async ({ open }) => {
   const visitor = await open({ viewport: { width: 720, height: 450 } });
   const { page } = visitor;
   await visitor.openFace();

@@ -12,7 +12,7 @@ const SEEN_SMALL = STATES.filter(({ id }) => ["empty", "working", "arrived", "se
 
 const WINDOWS = [
   ...variants(WINDOW_SIZES.map(({ options }) => ({ ...options, states: STATES }))),
-  ...SMALL.map((viewport) => [{ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }, ["@rare"]]),
+  ...SMALL.map((viewport) => [{ viewport, hasTouch: true, isMobile: true, states: SEEN_SMALL }, []]),
 ];
 
 for (const [{ states, ...options }, tag] of WINDOWS) {
@@ -33,7 +33,7 @@ for (const [{ states, ...options }, tag] of WINDOWS) {
   });
 }
 
-test("the face stays within the uncovered part of the stage when the window changes", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
+test("the face stays within the uncovered part of the stage when the window changes", { tag: "@eyes" }, async ({ open }) => {
   const visitor = await open({ colorScheme: "light" });
   await visitor.openFace();
   for (const { id, options } of [...WINDOW_SIZES, ...WINDOW_SIZES.toReversed()]) {
@@ -53,7 +53,7 @@ const FAULTS = [
   ["scrolls sideways", "#section-photo", "width: 400px", /#sections scrolls sideways by/],
 ];
 
-test("each kind of layout fault is found", { tag: "@rare" }, async ({ open }) => {
+test("each kind of layout fault is found", async ({ open }) => {
   const visitor = await open({ viewport: { width: 1280, height: 800 } });
   const { page } = visitor;
   await visitor.openFace();

@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
 for (const what of ["photo", "project"]) {
-  test(`a ${what} is saved even if the page is left as soon as its face is shown`, { tag: "@rare" }, async ({ visitor, page, project }) => {
+  test(`a ${what} is saved even if the page is left as soon as its face is shown`, async ({ visitor, page, project }) => {
     await visitor.untilLoaded();
     await page.evaluate(leaveOnceShown);
     const left = page.waitForEvent("framenavigated");
@@ -17,7 +17,7 @@ for (const what of ["photo", "project"]) {
   });
 }
 
-test("an edit made as soon as a face is shown is saved even if the page is left at once", { tag: "@rare" }, async ({ visitor, page }) => {
+test("an edit made as soon as a face is shown is saved even if the page is left at once", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(leaveOnceShown, { slider: "#slider-nose-width .number-field", amount_mm: "3" });
   const left = page.waitForEvent("framenavigated");

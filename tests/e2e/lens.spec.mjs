@@ -18,7 +18,7 @@ async function turnLeft(page) {
   await page.keyboard.press("l");
 }
 
-test("each lens changes the view and the saved picture, and has a description", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("each lens changes the view and the saved picture, and has a description", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.unfold("section-view");
   assert.ok(await page.isChecked("input[name='lens'][value='portrait']"));
   const home = await editor.view();

@@ -20,7 +20,7 @@ const LAG_S = 0.06;
 
 test.use({ visit: { expert: true, scripts: [recordCamera, watchFrames] } });
 
-test("the live preview mirrors the camera and shows the edits on the face", { tag: ["@seen-camera", "@rare"] }, async ({ visitor, page }) => {
+test("the live preview mirrors the camera and shows the edits on the face", { tag: "@seen-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.setSlider("nose-width", NOSE_MM);
   await openLivePreview(visitor);
@@ -57,7 +57,7 @@ test("the live preview mirrors the camera and shows the edits on the face", { ta
   assert.equal((await camera(visitor)).live, 0);
 });
 
-test("the live preview can be saved as a photo with its edits, and the camera stops", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
+test("the live preview can be saved as a photo with its edits, and the camera stops", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.setSlider("nose-width", NOSE_MM);
   await openLivePreview(visitor);
@@ -73,7 +73,7 @@ test("the live preview can be saved as a photo with its edits, and the camera st
   assert.deepEqual(await camera(visitor), { asked: 1, tracks: 1, live: 0 });
 });
 
-test("without an open face, the live preview opens the first face, and a double click opens one camera", { tag: ["@moving-camera", "@rare"] }, async ({ open }) => {
+test("without an open face, the live preview opens the first face, and a double click opens one camera", { tag: "@moving-camera" }, async ({ open }) => {
   const visitor = await open({ viewport: { width: 390, height: 844 } });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -95,7 +95,7 @@ test("without an open face, the live preview opens the first face, and a double 
   assert.equal(await page.getAttribute("#privacy-count", "data-requests"), "0", "a request was made");
 });
 
-test("the live preview handles lost faces, worker crashes and hidden pages", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
+test("the live preview handles lost faces, worker crashes and hidden pages", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.dropSample();
   await openLivePreview(visitor);
   await page.evaluate(() => (window.isBlank = true));
@@ -127,7 +127,7 @@ test("the live preview handles lost faces, worker crashes and hidden pages", { t
   assert.equal((await camera(visitor)).live, 1);
 });
 
-test("a refused or unplugged camera closes the live preview with a notice", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
+test("a refused or unplugged camera closes the live preview with a notice", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   await page.evaluate(() => (window.isRefused = true));
   await page.click("#welcome [data-action='live-preview']");
@@ -144,7 +144,7 @@ test("a refused or unplugged camera closes the live preview with a notice", { ta
   await page.waitForFunction(() => document.body.dataset.scene === "solid");
 });
 
-test("a live preview closed while it starts, or that cannot play or read a frame, leaves no unhandled rejection", { tag: ["@moving-camera", "@rare"] }, async ({ visitor, page }) => {
+test("a live preview closed while it starts, or that cannot play or read a frame, leaves no unhandled rejection", { tag: "@moving-camera" }, async ({ visitor, page }) => {
   await visitor.untilLoaded();
   for (let time = 0; time < 3; time += 1) {
     await page.click("#welcome [data-action='live-preview']");

@@ -8,7 +8,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("a GLB of the command line's finest mesh opens with a pending edit and can be edited", { tag: "@rare" }, async ({ visitor, page }) => {
+test("a GLB of the command line's finest mesh opens with a pending edit and can be edited", async ({ visitor, page }) => {
   const options = "--units mm --topology canonical --density 4 --edit 20000@4:0,0,2 --edit 1:0,0,6".split(" ");
   const glb = await glbByCommandLine(SAMPLE, options);
   await visitor.drop(glb, "dense.glb");
@@ -37,7 +37,7 @@ test("a GLB of the command line's finest mesh opens with a pending edit and can 
   assert.equal(await page.locator("#history .check-notes > :nth-child(2)").count(), 1);
 });
 
-test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a halved texture is accepted", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a GLB whose shape was changed elsewhere opens as saved, with a notice; a halved texture is accepted", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.move("nose tip", "z", 6);
   const { positions } = await editor.meshJson("mm");
   const glb = await editor.download("download-glb");

@@ -40,7 +40,7 @@ async function sidesIn(page) {
   return rows.map((row) => /front|left|right/.exec(row)?.[0]);
 }
 
-test("photos from other sides change the mesh like on the command line, are saved, and can be removed", { tag: "@rare" }, async ({ visitor, page }) => {
+test("photos from other sides change the mesh like on the command line, are saved, and can be removed", async ({ visitor, page }) => {
   await visitor.dropSample();
   const alone = await visitor.meshJson("mm");
   const [one, other] = [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")];
@@ -84,7 +84,7 @@ test("photos from other sides change the mesh like on the command line, are save
   assert.deepEqual((await visitor.meshJson("mm")).positions, alone.positions, "the mesh differs from that of the first photo");
 });
 
-test("a photo without a face is rejected by name, and one from the same side is reported to add little", { tag: "@rare" }, async ({ visitor, page }) => {
+test("a photo without a face is rejected by name, and one from the same side is reported to add little", async ({ visitor, page }) => {
   await visitor.dropSample();
   await visitor.move("nose tip", "z", 9);
   const before = await visitor.meshJson("mm");
@@ -100,7 +100,7 @@ test("a photo without a face is rejected by name, and one from the same side is 
   assert.equal((await visitor.history()).length, 1);
 });
 
-test("a photo is removed once, however often its button is pressed, and can be restored by mouse or keyboard", { tag: "@rare" }, async ({ visitor, page }) => {
+test("a photo is removed once, however often its button is pressed, and can be restored by mouse or keyboard", async ({ visitor, page }) => {
   await visitor.dropSample();
   await page.setInputFiles("#further-files", [await turnedPhoto(visitor, "ArrowLeft"), await turnedPhoto(visitor, "ArrowRight")]);
   await untilPhotos(visitor, 3);

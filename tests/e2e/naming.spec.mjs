@@ -5,7 +5,7 @@ import { untilSaved } from "./storage.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("files are named after the photo, also after a reload and from saved files", { tag: "@rare" }, async ({ visitor, page }) => {
+test("files are named after the photo, also after a reload and from saved files", async ({ visitor, page }) => {
   await visitor.dropSample('ana: "Rio" 7.2.png');
   await page.selectOption("#export-density", "1", { force: true });
   const { name, bytes: glb } = await visitor.save("download-glb");
@@ -25,7 +25,7 @@ test("files are named after the photo, also after a reload and from saved files"
   }
 });
 
-test("pictures with different contents get different names", { tag: "@rare" }, async ({ visitor }) => {
+test("pictures with different contents get different names", async ({ visitor }) => {
   await visitor.openFace("ana");
   for (const [action, name] of [
     ["download-png", "ana-texture.png"],
@@ -40,7 +40,7 @@ test("pictures with different contents get different names", { tag: "@rare" }, a
   ]) assert.equal(await nameOf(visitor, action), name);
 });
 
-test("the sample has a thumbnail that causes no layout shift or request; returning users see Continue first", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the sample has a thumbnail that causes no layout shift or request; returning users see Continue first", async ({ visitor, page }) => {
   await visitor.untilLoaded();
   visitor.requests.length = 0;
   await page.reload();

@@ -11,7 +11,7 @@ const LARGE = { width: 4000, height: 3000 };
 
 test.use({ visit: { scripts: [recordWorkers] } });
 
-test("a small photo or a GLB replaces a large photo that is still being read", { tag: "@rare" }, async ({ visitor, page }) => {
+test("a small photo or a GLB replaces a large photo that is still being read", async ({ visitor, page }) => {
   const portrait = await readFile(SAMPLE);
   const large = await asJpeg(page, portrait, LARGE);
   await visitor.dropSample();

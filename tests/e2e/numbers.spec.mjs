@@ -6,7 +6,7 @@ import { test } from "./fixtures.mjs";
 const VALID = [["1,5", 1.5], ["1.5", 1.5], ["−2", -2], ["-2", -2], [" 3 mm", 3], ["- ,5mm", -0.5]];
 const INVALID = ["abc", "1e9", "", "1.000,5", "0x3", "4 cm", "99", "9".repeat(320)];
 
-test("a number may have a comma, a point, spaces and its unit; other texts are marked and change nothing", { tag: "@rare" }, async ({ editor, page }) => {
+test("a number may have a comma, a point, spaces and its unit; other texts are marked and change nothing", async ({ editor, page }) => {
   await editor.findLandmark("1");
   const field = page.locator("#landmark-offset [data-axis='x'] .number-field");
   const type = async (text) => {

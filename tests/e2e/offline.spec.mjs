@@ -44,7 +44,7 @@ for (const [[what, interceptor], tag] of variants([["is unreachable"], ...Object
   });
 }
 
-test("a page of a newer version loads its files from the network, or reports that it did not load", { tag: "@rare" }, async ({ visitor, page, server }) => {
+test("a page of a newer version loads its files from the network, or reports that it did not load", async ({ visitor, page, server }) => {
   await visitor.untilLoaded();
   const version = await versionIn(DIST);
   const newer = String(await readFile(path.join(DIST, "index.html"))).replaceAll(version, NEWER);
@@ -75,7 +75,7 @@ test("a page of a newer version loads its files from the network, or reports tha
   assert.ok(await page.isHidden("#not-started"));
 });
 
-test("a file that differs from the build is not stored", { tag: "@rare" }, async ({ open, server }) => {
+test("a file that differs from the build is not stored", async ({ open, server }) => {
   const icon = await inVersion("rosto-512.png");
   server.intercept((name, response) => name === icon && send(response, 200, "another icon", "image/png"));
   const visitor = await open();

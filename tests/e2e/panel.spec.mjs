@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
-import { variants, test } from "./fixtures.mjs";
+import { test } from "./fixtures.mjs";
 
 const DESKTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -8,8 +8,8 @@ const SHORT = { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile:
 
 test.use({ visit: DESKTOP });
 
-for (const [[device, visit], tag] of variants(Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT }))) {
-  test(`shape, view and export are tabs with keyboard support and a visible download button, and the photo folds to a row: ${device}`, { tag }, async ({ open }) => {
+for (const [device, visit] of Object.entries({ desktop: DESKTOP, phone: PHONE, "phone on its side": SHORT })) {
+  test(`shape, view and export are tabs with keyboard support and a visible download button, and the photo folds to a row: ${device}`, async ({ open }) => {
     const visitor = await open(visit);
     const { page } = visitor;
     await visitor.untilLoaded();
@@ -45,7 +45,7 @@ for (const [[device, visit], tag] of variants(Object.entries({ desktop: DESKTOP,
   });
 }
 
-test("the presets say what they do, and Custom appears for other settings", { tag: "@rare" }, async ({ editor, page }) => {
+test("the presets say what they do, and Custom appears for other settings", async ({ editor, page }) => {
   await editor.enableExpert();
   const segments = page.locator("#preset span").filter({ visible: true });
   const custom = page.locator("input[name='preset'][value='custom']");
@@ -65,7 +65,7 @@ test("the presets say what they do, and Custom appears for other settings", { ta
 });
 
 for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
-  test(`segments of a row have the same height and one line in either language: ${size.join(" × ")}`, { tag: "@rare" }, async ({ open }) => {
+  test(`segments of a row have the same height and one line in either language: ${size.join(" × ")}`, async ({ open }) => {
     const visitor = await open({ viewport: { width: size[0], height: size[1] } });
     const { page } = visitor;
     await visitor.openFace();
@@ -87,7 +87,7 @@ for (const [size, panel_px] of [[[1280, 720], 320], [[720, 450], 280]]) {
 }
 
 for (const [width, height] of [[1280, 720], [720, 450], [844, 390], [360, 640]]) {
-  test(`the list of keys is not cut, starts at its top and can be closed: ${width} × ${height}`, { tag: "@rare" }, async ({ open }) => {
+  test(`the list of keys is not cut, starts at its top and can be closed: ${width} × ${height}`, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.openFace();
@@ -110,7 +110,7 @@ for (const [width, height] of [[1280, 720], [720, 450], [844, 390], [360, 640]])
   });
 }
 
-test("hints say tap on touch devices and click otherwise; language and theme are available on both", { tag: "@rare" }, async ({ open, editor }) => {
+test("hints say tap on touch devices and click otherwise; language and theme are available on both", async ({ open, editor }) => {
   const texts = async ({ page }) => `${await page.textContent("#welcome-title")} ${await page.textContent("#selection-help")}`;
   const phone = await open(PHONE);
   const { page } = phone;
@@ -127,7 +127,7 @@ test("hints say tap on touch devices and click otherwise; language and theme are
   assert.notEqual(await page.getAttribute("html", "data-theme"), before);
 });
 
-test("the first steps show no jargon such as landmarks, their count or requests", { tag: "@rare" }, async ({ open }) => {
+test("the first steps show no jargon such as landmarks, their count or requests", async ({ open }) => {
   const JARGON = /landmark|request|0–467|0 to 467|\b468\b|requisi/i;
   for (const locale of ["en-GB", "pt-BR"]) {
     const visitor = await open({ locale });

@@ -6,7 +6,7 @@ import { SAMPLE } from "./visitor.mjs";
 /** Table 1 of the paper, in ms. */
 const TABLE_1 = [[218, 214], [3, 7], [399, 362], [364, 389], [366, 401], [393, 363], [387, 374], [384, 584]];
 
-test("the paper's experiment runs next to Table 1, gives the command line's results and leaves the work unchanged", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the paper's experiment runs next to Table 1, gives the command line's results and leaves the work unchanged", async ({ visitor, page }) => {
   // The table includes the duration of face detection.
   await visitor.dropSample();
   await visitor.setSlider("nose-width", 2);

@@ -15,7 +15,7 @@ async function photoOnStage(visitor) {
   await visitor.frames(5);
 }
 
-test("a click on the thumbnail opens the photo on the stage; the switch and P return, a drag moves it, and the choice is saved", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
+test("a click on the thumbnail opens the photo on the stage; the switch and P return, a drag moves it, and the choice is saved", { tag: "@eyes" }, async ({ editor }) => {
   assert.equal(await scene(editor), "solid", "the 3D face is not the initial scene");
   const solid = await editor.view();
   await editor.page.click("#photo-to-stage");
@@ -35,7 +35,7 @@ test("a click on the thumbnail opens the photo on the stage; the switch and P re
   assert.equal(await scene(editor), "picture");
 });
 
-test("a point can be dragged on the photo, which changes only there", { tag: "@eyes" }, async ({ visitor }) => {
+test("a point can be dragged on the photo, which changes only there", { tag: ["@eyes", "@usual"] }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const nose = await visitor.landmarkPosition(4);
   await visitor.drag(nose, { x: 0, y: -24 });
@@ -53,7 +53,7 @@ test("a point can be dragged on the photo, which changes only there", { tag: "@e
   assert.equal(difference(edited, await visitor.view()), 0, "redo does not restore the edit");
 });
 
-test("sliders, regions and the comparison work on the photo", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
+test("sliders, regions and the comparison work on the photo", { tag: "@eyes" }, async ({ visitor }) => {
   await photoOnStage(visitor);
   const before = await visitor.view();
   await visitor.setSlider("eye-size", 2);
@@ -71,7 +71,7 @@ test("sliders, regions and the comparison work on the photo", { tag: ["@eyes", "
   assert.ok(difference(wiped, before) > 0 && difference(wiped, after) > 0, "the comparison does not show both");
 });
 
-test("the thumbnail shows edits while they are made", { tag: "@rare" }, async ({ editor }) => {
+test("the thumbnail shows edits while they are made", async ({ editor }) => {
   await editor.frames(4);
   const small = async () => PNG.sync.read(await editor.page.locator("#photo-thumbnail").screenshot());
   const before = await small();
@@ -84,7 +84,7 @@ test("the thumbnail shows edits while they are made", { tag: "@rare" }, async ({
   await editor.page.keyboard.press("Escape");
 });
 
-test("wide windows show photo and 3D face next to each other, and a click on the photo opens it on the stage", { tag: "@rare" }, async ({ open }) => {
+test("wide windows show photo and 3D face next to each other, and a click on the photo opens it on the stage", async ({ open }) => {
   const visitor = await open({ viewport: { width: 1440, height: 900 } });
   await visitor.openFace();
   await visitor.frames(4);

@@ -20,7 +20,7 @@ const MAX_SHOWN_PX = 640 * 320;
 /** x of the nose in the portrait, as a fraction of the width. */
 const NOSE_IN_PORTRAIT = 0.44;
 
-test("a selfie from the camera opens unmirrored, and is named selfie", { tag: "@camera" }, async ({ visitor }) => {
+test("a selfie from the camera opens unmirrored, and is named selfie", { tag: ["@camera", "@usual"] }, async ({ visitor }) => {
   await visitor.page.click("#welcome [data-action='camera']");
   const mirrored = await visitor.page.locator("#camera-preview").evaluate((video) => getComputedStyle(video).scale);
   assert.equal(mirrored, "-1 1");
@@ -35,7 +35,7 @@ test("a selfie from the camera opens unmirrored, and is named selfie", { tag: "@
   assert.equal((await visitor.save("save-project")).name, "selfie.rosto");
 });
 
-test("the hovered landmark is marked on the panel's photo and on the mesh", { tag: "@rare" }, async ({ visitor, page }) => {
+test("the hovered landmark is marked on the panel's photo and on the mesh", async ({ visitor, page }) => {
   const { positions } = await meshByCommandLine(SAMPLE, ["--units", "image"]);
   const dots = APART.map(([landmark, colour]) => ({ x: positions[landmark][0] * SIDE_PX, y: positions[landmark][1] * SIDE_PX, colour }));
   await visitor.drop(dotted(await readFile(SAMPLE), dots, 4), "dotted.png");
@@ -62,7 +62,7 @@ test("the hovered landmark is marked on the panel's photo and on the mesh", { ta
   assert.ok(difference(picture, PNG.sync.read(await photo.screenshot())) > 0, "the photo does not mark the landmark");
 });
 
-test("the main thread draws a large photo only at its displayed size", { tag: "@rare" }, async ({ open }) => {
+test("the main thread draws a large photo only at its displayed size", async ({ open }) => {
   const visitor = await open({ scripts: [recordDrawnImages] });
   const { page } = visitor;
   // Before the host is open, an unscaled part of the photo is drawn.

@@ -11,7 +11,7 @@ const NOSE_TIP = 1;
 /** Right and left corner of the mouth. */
 const MOUTH_CORNERS = [61, 291];
 
-test("hovering a landmark highlights and names it, and leaving it clears both", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("hovering a landmark highlights and names it, and leaving it clears both", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagPosition();
   const beside = await editor.emptyPoint();
@@ -30,7 +30,7 @@ test("hovering a landmark highlights and names it, and leaving it clears both", 
   assert.equal(await editor.cursor(), "grab");
 });
 
-test("a landmark follows the pointer in the view plane, more slowly with Shift, and shows its influence", { tag: "@eyes" }, async ({ editor, page }) => {
+test("a landmark follows the pointer in the view plane, more slowly with Shift, and shows its influence", { tag: ["@eyes", "@usual"] }, async ({ editor, page }) => {
   // With it, the tip stays in the plane of symmetry, which the photo does not show edge-on.
   await editor.reveal("#edit-mirror");
   await page.uncheck("#edit-mirror");
@@ -60,7 +60,7 @@ test("a landmark follows the pointer in the view plane, more slowly with Shift, 
   assert.deepEqual(await editor.meshJson("mm"), start);
 });
 
-test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.reveal("#edit-mirror");
   await page.uncheck("#edit-mirror");
   await editor.findLandmark("nose tip");
@@ -95,7 +95,7 @@ test("X, Y and Z restrict a drag to an axis, and Escape cancels it", { tag: ["@e
   assert.ok(await page.isHidden("#landmark-tag"), "Escape did not clear the selection");
 });
 
-test("the wheel changes the influence radius during a drag, which stays one edit", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the wheel changes the influence radius during a drag, which stays one edit", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagPosition();
   const start = await editor.meshJson("mm");
@@ -126,7 +126,7 @@ test("the wheel changes the influence radius during a drag, which stays one edit
   }
 });
 
-test("Alt and a click pin a landmark, which then stays in place, and unpin it", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("Alt and a click pin a landmark, which then stays in place, and unpin it", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark(String(MOUTH_CORNERS[0]));
   const corner = await editor.tagPosition();
   await editor.findLandmark("nose tip");
@@ -146,7 +146,7 @@ test("Alt and a click pin a landmark, which then stays in place, and unpin it", 
   assert.equal(await count(), before);
 });
 
-test("each operator and constraint has a description and gives the command line's result", { tag: "@rare" }, async ({ editor, page }) => {
+test("each operator and constraint has a description and gives the command line's result", async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const helps = new Set();
   const operators = await page.locator("#operator option").evaluateAll((options) => options.map((option) => option.value));

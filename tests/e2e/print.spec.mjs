@@ -15,7 +15,7 @@ function sizeOf(stl) {
   return high.map((end, axis) => end - low[axis]);
 }
 
-test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm does not fit", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm does not fit", { tag: "@eyes" }, async ({ editor, page }) => {
   const pixels = async () => (await editor.view()).data;
   const face = await pixels();
   await editor.reveal("#print-facts");
@@ -37,7 +37,7 @@ test("a print of 80 mm is shown on the stage, with a note where a wall of 2 mm d
   await expect.poll(async () => (await pixels()).equals(face)).toBe(true);
 });
 
-test("a relief needs no supports, and its depth and height are those chosen", { tag: "@rare" }, async ({ editor, page }) => {
+test("a relief needs no supports, and its depth and height are those chosen", async ({ editor, page }) => {
   await editor.reveal("#print-facts");
   await page.check("input[name='solid'][value='flat']", { force: true });
   await page.check("input[name='print-height'][value='40']", { force: true });

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 
-test("after loading, the page sends no requests", async ({ visitor }) => {
+test("after loading, the page sends no requests", { tag: "@usual" }, async ({ visitor }) => {
   await visitor.untilLoaded();
   assert.match(await visitor.page.innerText("#privacy"), /Nothing uploaded.*your photo stays on this device/s);
   visitor.requests.length = 0;
@@ -16,7 +16,7 @@ test("after loading, the page sends no requests", async ({ visitor }) => {
   assert.match(await visitor.page.innerText("#privacy"), /Nothing uploaded/);
 });
 
-test("the policy blocks other hosts, inline scripts and eval", async ({ visitor }) => {
+test("the policy blocks other hosts, inline scripts and eval", { tag: "@usual" }, async ({ visitor }) => {
   const { violations, ...rest } = await visitor.page.evaluate(async () => {
     const violations = [];
     document.addEventListener("securitypolicyviolation", (event) => violations.push(event.effectiveDirective));
@@ -40,7 +40,7 @@ test("the policy blocks other hosts, inline scripts and eval", async ({ visitor 
   assert.ok(visitor.errors.splice(0).length > 0);
 });
 
-test("only the page's Trusted Types policy can create markup and script URLs", async ({ visitor }) => {
+test("only the page's Trusted Types policy can create markup and script URLs", { tag: "@usual" }, async ({ visitor }) => {
   await visitor.untilLoaded();
   const refused = await visitor.page.evaluate(() => {
     const text = (act) => {

@@ -15,7 +15,7 @@ const run = promisify(execFile);
 
 const IMMUTABLE = "public, max-age=31536000, immutable";
 
-test("the page is served with its security headers, and all host configurations list the same ones", async ({ visitor }) => {
+test("the page is served with its security headers, and all host configurations list the same ones", { tag: "@usual" }, async ({ visitor }) => {
   const policy = await visitor.page.getAttribute("meta[http-equiv='Content-Security-Policy']", "content");
   for (const name of ["./", "service-worker.js", await inVersion("vision-worker.js"), await inVersion("rosto-vision-web_bg.wasm")]) {
     const headers = await visitor.page.evaluate(async (name) => Object.fromEntries((await fetch(name)).headers), name);
@@ -38,7 +38,7 @@ test("the page is served with its security headers, and all host configurations 
   assert.deepEqual(headers.map(({ headers }) => headers.map(({ key, value }) => [key, value])), [revalidated, [["Cache-Control", IMMUTABLE]]]);
 });
 
-test("other pages cannot frame the page", async ({ page }) => {
+test("other pages cannot frame the page", { tag: "@usual" }, async ({ page }) => {
   const another = await page.context().newPage();
   await another.setContent(`<iframe src="${page.url()}"></iframe>`);
   const frame = await (await another.waitForSelector("iframe")).contentFrame();
@@ -46,7 +46,7 @@ test("other pages cannot frame the page", async ({ page }) => {
   assert.equal(await frame.locator("#stage").count(), 0);
 });
 
-test("the service worker lists the SHA-256 of each file of the version, and the page those of its scripts", async () => {
+test("the service worker lists the SHA-256 of each file of the version, and the page those of its scripts", { tag: "@usual" }, async () => {
   const version = await versionIn(DIST);
   const page = String(await readFile(path.join(DIST, "index.html")));
   const worker = String(await readFile(path.join(DIST, "service-worker.js")));
@@ -58,7 +58,7 @@ test("the service worker lists the SHA-256 of each file of the version, and the 
   }
 });
 
-test("the order of files does not change the name of a version, but a changed file does", async () => {
+test("the order of files does not change the name of a version, but a changed file does", { tag: "@usual" }, async () => {
   const version = await versionIn(DIST);
   const folder = test.info().outputPath("dist");
   const copy = async () => {
@@ -82,7 +82,7 @@ test("the order of files does not change the name of a version, but a changed fi
   assert.notEqual(await versionIn(folder), version);
 });
 
-test("no file of the page contains a path of the build machine", async () => {
+test("no file of the page contains a path of the build machine", { tag: "@usual" }, async () => {
   const cargo = process.env.CARGO_HOME ?? path.join(homedir(), ".cargo");
   const traces = [ROOT, cargo, `${homedir()}${path.sep}`, process.env.CARGO_TARGET_DIR].filter(Boolean);
   for (const name of await filesOf(DIST)) {
@@ -91,7 +91,7 @@ test("no file of the page contains a path of the build machine", async () => {
   }
 });
 
-test("a local build can be compared with the published page", async ({ server }) => {
+test("a local build can be compared with the published page", { tag: "@usual" }, async ({ server }) => {
   const compared = () => run("node", [COMPARE, server.url, DIST]).then(({ stdout }) => stdout, ({ stdout }) => stdout);
   assert.match(await compared(), /all \d+ files are identical/);
   const name = await inVersion("vision-worker.js");

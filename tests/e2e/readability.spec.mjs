@@ -10,7 +10,7 @@ const SEEN = STATES.filter(({ id }) => ["empty", "working", "arrived", "selected
 const LARGE_FONTS = [{ font_px: 32, width: 1440, height: 900 }, { font_px: 24, width: 1280, height: 720 }, { font_px: 24, width: 480, height: 900 }];
 
 for (const { font_px, width, height } of LARGE_FONTS) {
-  test(`with a font size of ${font_px} px in a window of ${width} × ${height}, texts are larger and nothing is cut`, { tag: "@rare" }, async ({ open }) => {
+  test(`with a font size of ${font_px} px in a window of ${width} × ${height}, texts are larger and nothing is cut`, async ({ open }) => {
     const visitor = await open({ viewport: { width, height }, colorScheme: "light", before: allowDelayedReplies });
     const { page } = visitor;
     const session = await page.context().newCDPSession(page);
@@ -31,7 +31,7 @@ for (const { font_px, width, height } of LARGE_FONTS) {
 }
 
 for (const [width, height] of [[320, 200], [320, 256], [390, 300]]) {
-  test(`in a window of ${width} × ${height}, the face is visible and everything can be scrolled to`, { tag: ["@eyes", "@rare"] }, async ({ open }) => {
+  test(`in a window of ${width} × ${height}, the face is visible and everything can be scrolled to`, { tag: "@eyes" }, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.untilLoaded();
@@ -53,7 +53,7 @@ for (const [width, height] of [[320, 200], [320, 256], [390, 300]]) {
   });
 }
 
-test("with forced colours, the selected segment and tab, slider tracks and the main button are visible", { tag: "@rare" }, async ({ open }) => {
+test("with forced colours, the selected segment and tab, slider tracks and the main button are visible", async ({ open }) => {
   const visitor = await open({ forcedColors: "active" });
   const { page } = visitor;
   await visitor.openFace();

@@ -26,14 +26,14 @@ const BAD_EXTRAS = [
   ["a vertex that does not exist", "bad-history", ({ history }) => (history.entries[0].move.handles = [9999])],
 ];
 
-test("a project that cannot be opened leaves the face, its history and the saved work unchanged", { tag: "@rare" }, async ({ editor }) => {
+test("a project that cannot be opened leaves the face, its history and the saved work unchanged", async ({ editor }) => {
   const project = await editAndSave(editor, "save-project");
   const bad = BAD_HEADERS.map(([name, code, change]) => ({ name, code, file: changedProject(project, (header) => void change(header)) }));
   bad.push({ name: "a face without a shape", code: "not-a-face", file: projectWithoutShape(project) });
   await expectRefused(editor, bad, "face.rosto");
 });
 
-test("a GLB that cannot be opened leaves the face, its history and the saved work unchanged", { tag: "@rare" }, async ({ editor }) => {
+test("a GLB that cannot be opened leaves the face, its history and the saved work unchanged", async ({ editor }) => {
   const glb = await editAndSave(editor, "download-glb");
   const bad = BAD_EXTRAS.map(([name, code, change]) => {
     const parts = partsOfGlb(glb);
@@ -46,7 +46,7 @@ test("a GLB that cannot be opened leaves the face, its history and the saved wor
   await expectRefused(editor, bad, "face.glb");
 });
 
-test("saved work with a damaged file shows a notice, and the page stays usable", { tag: "@rare" }, async ({ editor, page }) => {
+test("saved work with a damaged file shows a notice, and the page stays usable", async ({ editor, page }) => {
   await editAndSave(editor, "save-project");
   await untilSaved(page);
   await page.reload();

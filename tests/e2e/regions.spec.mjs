@@ -11,7 +11,7 @@ const PAGE_OPTIONS = "--units mm --topology canonical --operator cotangent --con
 const NOSE_TIP = 1;
 const CHIN = 152;
 
-test("a region moves as one by its sliders, with its name, like on the command line", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a region moves as one by its sliders, with its name, like on the command line", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.selectRegion("left-brow");
   assert.match(await page.innerText("#announcement"), /left brow selected/);
   assert.equal(await page.innerText("#landmark-tag"), "left brow");
@@ -28,7 +28,7 @@ test("a region moves as one by its sliders, with its name, like on the command l
   assert.equal(await page.locator("#region option:checked").innerText(), "sobrancelha esquerda");
 });
 
-test("a region can be dragged by each of its landmarks and by its gizmo", { tag: ["@eyes", "@rare"] }, async ({ editor }) => {
+test("a region can be dragged by each of its landmarks and by its gizmo", { tag: "@eyes" }, async ({ editor }) => {
   await editor.findLandmark("nose tip");
   const noseTip = await editor.tagPosition();
   await editor.selectRegion("nose");
@@ -48,7 +48,7 @@ test("a region can be dragged by each of its landmarks and by its gizmo", { tag:
   assert.ok(along[1] < -1 && Math.hypot(along[0], along[2]) < 1e-9, `not along y: ${along}`);
 });
 
-test("clicks select the region under the pointer, then a larger one, and landmark mode restores the landmark", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("clicks select the region under the pointer, then a larger one, and landmark mode restores the landmark", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.findLandmark("nose tip");
   const tip = await editor.tagPosition();
   const beside = await editor.emptyPoint();

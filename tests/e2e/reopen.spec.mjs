@@ -38,7 +38,7 @@ for (const [paint, tag] of variants(["photo", "colours"])) {
   });
 }
 
-test("a GLB restores the density and the eye and mouth openings", { tag: "@rare" }, async ({ editor, page }) => {
+test("a GLB restores the density and the eye and mouth openings", async ({ editor, page }) => {
   await editor.unfold("section-view");
   await page.selectOption("#triangulation", "tessellation");
   await page.selectOption("#density", "1");

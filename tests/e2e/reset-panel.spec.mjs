@@ -7,7 +7,7 @@ import { SAMPLE } from "./visitor.mjs";
 
 test.use({ visit: { viewport: { width: 1024, height: 480 }, hasClock: true } });
 
-test("after opening another photo, no control keeps a selection, input or scroll position", { tag: "@rare" }, async ({ editor, page }) => {
+test("after opening another photo, no control keeps a selection, input or scroll position", async ({ editor, page }) => {
   await editor.untilLoaded();
   const photo = await asJpeg(page, await readFile(SAMPLE));
   const fresh = await controls(page);
@@ -39,7 +39,7 @@ test("after opening another photo, no control keeps a selection, input or scroll
   assert.equal(await editor.sliderValue("nose-width"), 0);
 });
 
-test("a pending search is cleared when another face opens", { tag: "@rare" }, async ({ editor, page }) => {
+test("a pending search is cleared when another face opens", async ({ editor, page }) => {
   await editor.selectBy("landmark");
   await page.fill("#landmark-search", "no such place");
   await page.press("#landmark-search", "Enter");

@@ -10,7 +10,7 @@ for (const { drawn, needs } of [
   { drawn: "WebGPU", needs: "eyes" },
   { drawn: "WebGL2", needs: "webgl" },
 ]) {
-  test(`a module with corrupted memory restarts twice under ${drawn} and restores work, choices and view`, { tag: ["@rare", `@${needs}`] }, async ({ editor, page }) => {
+  test(`a module with corrupted memory restarts twice under ${drawn} and restores work, choices and view`, { tag: `@${needs}` }, async ({ editor, page }) => {
     await editor.untilLoaded();
     const start = await workOn(editor);
     const work = await editor.meshJson("mm");
@@ -46,7 +46,7 @@ for (const { drawn, needs } of [
   });
 }
 
-test("a panic during export or opening restarts the module, and the next attempt works", { tag: "@rare" }, async ({ editor, page }) => {
+test("a panic during export or opening restarts the module, and the next attempt works", async ({ editor, page }) => {
   await editor.untilLoaded();
   await workOn(editor);
   const work = await editor.meshJson("mm");
@@ -74,7 +74,7 @@ test("a panic during export or opening restarts the module, and the next attempt
   assert.notDeepEqual(await editor.meshJson("mm"), work);
 });
 
-test("a face opened during a restart leaves the saved work unchanged", { tag: "@rare" }, async ({ editor, page }) => {
+test("a face opened during a restart leaves the saved work unchanged", async ({ editor, page }) => {
   await editor.untilLoaded();
   const other = await editor.download("save-project");
   await workOn(editor);

@@ -42,7 +42,7 @@ const PRINTED = [
 ];
 
 for (const [kind, rows] of Object.entries({ "a GLB and an OBJ": USUAL, meshes: PAINTED, printed: PRINTED })) {
-  test(`page and command line write the same bytes for the same face and edits: ${kind}`, { tag: "@rare" }, async ({ visitor }) => {
+  test(`page and command line write the same bytes for the same face and edits: ${kind}`, async ({ visitor }) => {
     await openAsCommandLine(visitor);
     await visitor.setSlider("nose-width", 4);
     for (const { format, choose, options } of rows) {

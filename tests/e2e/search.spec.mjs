@@ -3,7 +3,7 @@ import { test } from "./fixtures.mjs";
 
 test.use({ visit: { expert: true } });
 
-test("a search selects by name or number, and only a query without a match is an error, until the text changes", { tag: "@rare" }, async ({ editor, page }) => {
+test("a search selects by name or number, and only a query without a match is an error, until the text changes", async ({ editor, page }) => {
   for (const [query, expected] of [["columel", /columella/], ["152", /· 152$/], ["nose", /^nose tip · 1$/]]) {
     await editor.findLandmark(query);
     assert.match(await page.inputValue("#landmark-search"), expected);

@@ -6,7 +6,7 @@ import { test } from "./fixtures.mjs";
 import { asJpeg, faceless, text } from "./pictures.mjs";
 import { SAMPLE } from "./visitor.mjs";
 
-test("several photos open a dialog by keys, and Escape leaves the work as it was", { tag: "@rare" }, async ({ editor, page }) => {
+test("several photos open a dialog by keys, and Escape leaves the work as it was", async ({ editor, page }) => {
   await editor.move("nose tip", "z", 4);
   const work = await editor.work();
   const files = [await photo(page, "ana"), notes(), await photo(page, "bia")];
@@ -42,7 +42,7 @@ test("photos of one person become one face, without those that have none", async
   assert.ok(await page.isHidden("#faces"), "a photo opened as another face");
 });
 
-test("photos of different people open each, the first one last", { tag: "@rare" }, async ({ visitor, page }) => {
+test("photos of different people open each, the first one last", async ({ visitor, page }) => {
   await visitor.untilInteractive();
   const files = [await photo(page, "ana"), await photo(page, "bia", 480), await photo(page, "eva", 640)];
   await page.setInputFiles("#photo-file", files);
@@ -54,7 +54,7 @@ test("photos of different people open each, the first one last", { tag: "@rare" 
 });
 
 for (const [width, height] of [[1280, 720], [390, 844]]) {
-  test(`at ${width}×${height} the dialog states the limits of six photos, in both languages`, { tag: "@rare" }, async ({ open }) => {
+  test(`at ${width}×${height} the dialog states the limits of six photos, in both languages`, async ({ open }) => {
     const { page } = await open({ viewport: { width, height } });
     await page.waitForSelector("body[data-host='open']");
     const one = await photo(page, "ana");

@@ -12,7 +12,7 @@ const CLIP_MS = 120_000;
 /** Gap as in pictures.ts, as a fraction of the picture's height. */
 const GAP = 0.008;
 
-test("before and after are saved as halves of one picture, and the view does not change", { tag: ["@eyes", "@rare"] }, async ({ visitor }) => {
+test("before and after are saved as halves of one picture, and the view does not change", { tag: "@eyes" }, async ({ visitor }) => {
   await visitor.openFace("ana");
   const found = PNG.sync.read(await visitor.download("download-picture"));
   await visitor.move("nose tip", "x", 12);
@@ -38,7 +38,7 @@ test("before and after are saved as halves of one picture, and the view does not
   assertSame(await readState(visitor), before);
 });
 
-test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
+test("a before/after picture that fails shows a notice and leaves the view unchanged", { tag: "@eyes" }, async ({ open }) => {
   const editor = await open({ scripts: [hookModule] });
   const { page } = editor;
   await editor.openFace();
@@ -51,7 +51,7 @@ test("a before/after picture that fails shows a notice and leaves the view uncha
   assertSame(await readState(editor), before);
 });
 
-test("pictures are shared if possible, and downloaded if sharing fails", { tag: "@rare" }, async ({ open }) => {
+test("pictures are shared if possible, and downloaded if sharing fails", async ({ open }) => {
   const visitor = await open({ scripts: [installSharing] });
   const { page } = visitor;
   await visitor.openFace();
@@ -71,7 +71,7 @@ test("pictures are shared if possible, and downloaded if sharing fails", { tag: 
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a GLB that cannot be shared is saved; cancelling is silent", { tag: "@rare" }, async ({ open }) => {
+test("a GLB that cannot be shared is saved; cancelling is silent", async ({ open }) => {
   const visitor = await open({ scripts: [installSharing] });
   const { page } = visitor;
   await visitor.openFace();
@@ -95,7 +95,7 @@ for (const [what, script] of Object.entries({
   "has no share()": "delete Navigator.prototype.share; navigator.canShare = () => true",
   "throws in canShare()": "navigator.share = async () => {}; navigator.canShare = () => { throw new TypeError('refused') }",
 })) {
-  test(`the share buttons are absent in a browser that ${what}`, { tag: "@rare" }, async ({ open }) => {
+  test(`the share buttons are absent in a browser that ${what}`, async ({ open }) => {
     const visitor = await open({ scripts: [script] });
     await visitor.openFace();
     await visitor.unfold("section-export");
@@ -105,7 +105,7 @@ for (const [what, script] of Object.entries({
   });
 }
 
-test("the face swings once in a four-second video without tools, and the view is restored", { tag: ["@eyes", "@rare"] }, async ({ visitor, page }) => {
+test("the face swings once in a four-second video without tools, and the view is restored", { tag: "@eyes" }, async ({ visitor, page }) => {
   await visitor.openFace("ana");
   await visitor.move("nose tip", "z", 8);
   const before = await readState(visitor);
@@ -142,7 +142,7 @@ for (const { by, stop } of [
   { by: "Escape", stop: (/** @type {import("@playwright/test").Page} */ page) => page.keyboard.press("Escape") },
   { by: "the button", stop: (/** @type {import("@playwright/test").Page} */ page) => page.click("#clip") },
 ]) {
-  test(`a recording cancelled by ${by} leaves no file and no change`, { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+  test(`a recording cancelled by ${by} leaves no file and no change`, { tag: "@eyes" }, async ({ editor, page }) => {
     await editor.findLandmark("nose tip");
     await page.focus("#viewport");
     await page.keyboard.press("ArrowRight");
@@ -159,7 +159,7 @@ for (const { by, stop } of [
   });
 }
 
-test("a recording ends with a notice when the page is hidden", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a recording ends with a notice when the page is hidden", { tag: "@eyes" }, async ({ editor, page }) => {
   const before = await editor.view();
   await recordHalf(editor);
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
@@ -167,7 +167,7 @@ test("a recording ends with a notice when the page is hidden", { tag: ["@eyes", 
   assert.equal(difference(await editor.view(), before), 0);
 });
 
-test("a recording ends when another face opens, whose view is not turned", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("a recording ends when another face opens, whose view is not turned", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.openFace("another");
   await page.waitForSelector(PREVIOUS_FACE);
   await recordHalf(editor);
@@ -179,7 +179,7 @@ test("a recording ends when another face opens, whose view is not turned", { tag
   assert.equal(difference(await editor.view(), opened), 0, "the recording turned the new face");
 });
 
-test("a recording ends when the GPU process crashes, and a new one works", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
+test("a recording ends when the GPU process crashes, and a new one works", { tag: "@eyes" }, async ({ open }) => {
   const visitor = await open({ scripts: [recordGpus] });
   const { page } = visitor;
   await visitor.openFace();
@@ -193,7 +193,7 @@ test("a recording ends when the GPU process crashes, and a new one works", { tag
   assert.equal((await coming).suggestedFilename(), "portrait-turning.webm");
 });
 
-test("a browser without MediaRecorder shows a note instead of the button", { tag: "@rare" }, async ({ open }) => {
+test("a browser without MediaRecorder shows a note instead of the button", async ({ open }) => {
   const visitor = await open({ scripts: ["delete window.MediaRecorder"] });
   const { page } = visitor;
   await visitor.openFace();

@@ -11,7 +11,7 @@ function measures(page) {
   );
 }
 
-test("the panel shows the estimated distance, which can be changed and is saved with the work", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("the panel shows the estimated distance, which can be changed and is saved with the work", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.unfold("section-size");
   assert.match(await page.innerText("#size-camera"), /about \d+ cm \(\d+ to \d+ cm\), estimated from the face/);
   assert.match(await page.innerText("#size-pose"), /Head turned -?\d+° sideways/);
@@ -41,7 +41,7 @@ test("the panel shows the estimated distance, which can be changed and is saved 
   assert.equal((await measures(page))["Jaw width"], chosen["Jaw width"]);
 });
 
-test("four taps on a bank card in the photo measure the face, also after a reload", { tag: ["@eyes", "@rare"] }, async ({ editor, page }) => {
+test("four taps on a bank card in the photo measure the face, also after a reload", { tag: "@eyes" }, async ({ editor, page }) => {
   await editor.unfold("section-size");
   const width = page.locator("#size-measures dt", { hasText: "Face width" }).locator("xpath=following-sibling::dd[1]");
   assert.match(await width.innerText(), /Too uncertain/);

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "./fixtures.mjs";
 
-test("the canvas has the device's pixels also after the pixel ratio changes", async ({ editor, page }) => {
+test("the canvas has the device's pixels also after the pixel ratio changes", { tag: "@usual" }, async ({ editor, page }) => {
   const chrome = await page.context().newCDPSession(page);
   const { width, height } = page.viewportSize();
   const start = await editor.landmarkPosition(1);
@@ -17,7 +17,7 @@ test("the canvas has the device's pixels also after the pixel ratio changes", as
   }
 });
 
-test("a click selects the point that is named under the pointer", { tag: "@rare" }, async ({ editor, page }) => {
+test("a click selects the point that is named under the pointer", async ({ editor, page }) => {
   await editor.enableExpert();
   const tip = await editor.landmarkPosition(1);
   for (const [dx, dy] of [[0, 0], [5, 4], [12, 3], [-7, 6], [-15, -18], [4, 22], [8, 8]]) {
@@ -31,7 +31,7 @@ test("a click selects the point that is named under the pointer", { tag: "@rare"
   }
 });
 
-test("no shortcut works in a list, in a text, or while a word is composed", { tag: "@rare" }, async ({ editor, page }) => {
+test("no shortcut works in a list, in a text, or while a word is composed", async ({ editor, page }) => {
   await editor.setSlider("nose-width", 3);
   const before = await editor.history();
   const scene = () => page.evaluate(() => document.body.dataset.scene);

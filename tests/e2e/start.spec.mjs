@@ -28,7 +28,7 @@ for (const [{ what, answer }, tag] of variants(FAULTS)) {
   });
 }
 
-test("over plain HTTP, the page says that it needs HTTPS, at the start and for a photo and the camera", async ({ open, server }) => {
+test("over plain HTTP, the page says that it needs HTTPS, at the start and for a photo and the camera", { tag: "@usual" }, async ({ open, server }) => {
   const visitor = await open({ url: server.url.replace("127.0.0.1", INSECURE_HOST) });
   const { page } = visitor;
   await page.waitForSelector("#notice[data-code='needs-https']");
@@ -42,7 +42,7 @@ test("over plain HTTP, the page says that it needs HTTPS, at the start and for a
   }
 });
 
-test("without the words of its language, the page is in English, and the language menu too", { tag: "@rare" }, async ({ open }) => {
+test("without the words of its language, the page is in English, and the language menu too", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR", before: (context) => context.route("**/pt-*.js", (route) => route.abort()) });
   const { page } = visitor;
   await page.waitForSelector("body[data-host='open']");
@@ -52,13 +52,13 @@ test("without the words of its language, the page is in English, and the languag
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a browser gets the first of its languages that the page has", async ({ open }) => {
+test("a browser gets the first of its languages that the page has", { tag: "@usual" }, async ({ open }) => {
   const visitor = await open({ scripts: [`Object.defineProperty(navigator, "languages", { value: ["fr-FR", "pt-PT", "en"] })`] });
   await visitor.untilInteractive();
   assert.equal(await visitor.page.getAttribute("html", "lang"), "pt-BR");
 });
 
-test("the page shows from its first paint that it is loading, and offers nothing that cannot be used yet", async ({ open }) => {
+test("the page shows from its first paint that it is loading, and offers nothing that cannot be used yet", { tag: "@usual" }, async ({ open }) => {
   const [script, module] = [delayFile("**/page.js"), delayFile("**/*.wasm")];
   const before = async (context) => {
     await script.before(context);
@@ -84,13 +84,13 @@ test("the page shows from its first paint that it is loading, and offers nothing
   assert.ok(await page.isHidden(".loading"));
 });
 
-test("without scripts, the page says that it did not start", async ({ open }) => {
+test("without scripts, the page says that it did not start", { tag: "@usual" }, async ({ open }) => {
   const { page } = await open({ javaScriptEnabled: false });
   assert.match(await page.innerText("#not-started"), /Part of the page didn’t load/);
   assert.ok(await page.isHidden(".loading"));
 });
 
-test("a notice appears while modules do not arrive, and disappears when they do", { tag: "@rare" }, async ({ open }) => {
+test("a notice appears while modules do not arrive, and disappears when they do", async ({ open }) => {
   const { before, deliver } = delayFile("**/page.js");
   /** @type {Promise<void>} */
   let arrived;
@@ -111,7 +111,7 @@ test("a notice appears while modules do not arrive, and disappears when they do"
 });
 
 for (const [what, block] of /** @type {const} */ ([["cannot be read", blockStorage], ["is full", fillStorage]])) {
-  test(`with storage that ${what} the page works, without remembering choices`, { tag: "@rare" }, async ({ open }) => {
+  test(`with storage that ${what} the page works, without remembering choices`, async ({ open }) => {
     const visitor = await open({ colorScheme: "light", scripts: [block] });
     const { page } = visitor;
     await page.waitForSelector("body[data-host='open']");
@@ -151,7 +151,7 @@ for (const [{ drawn, needs, file, isByItself }, tag] of variants([
 }
 
 for (const status of [404, "unreachable"]) {
-  test(`if the sample is ${status}, a notice appears and a retry works`, { tag: "@rare" }, async ({ open }) => {
+  test(`if the sample is ${status}, a notice appears and a retry works`, async ({ open }) => {
     const visitor = await open({
       before: (context) => context.route("**/sample.png", (route) => (status === "unreachable" ? route.abort() : route.fulfill({ status }))),
     });

@@ -7,7 +7,7 @@ import { changeStorage, storedWorks, untilSaved } from "./storage.mjs";
 /** Longer than the page's timeouts for database and locks. */
 const TIMEOUT_S = 8;
 
-test("if the quota is exceeded on commit, a notice says once that work is not saved, and editing continues", { tag: "@rare" }, async ({ open }) => {
+test("if the quota is exceeded on commit, a notice says once that work is not saved, and editing continues", async ({ open }) => {
   const visitor = await open({ scripts: [countAborts] });
   const { page } = visitor;
   const browser = await page.context().newCDPSession(page);
@@ -37,7 +37,7 @@ for (const [what, remove] of /** @type {const} */ ([
   ["loses the face", (page) => changeStorage(page, ({ faces }) => faces.clear())],
   ["loses the edits", (page) => changeStorage(page, ({ done }) => done.clear())],
 ])) {
-  test(`the next change saves everything again if the database ${what} while the page is open`, { tag: "@rare" }, async ({ editor, page }) => {
+  test(`the next change saves everything again if the database ${what} while the page is open`, async ({ editor, page }) => {
     await editor.move("nose tip", "z", 9);
     await untilSaved(editor.page);
     const other = await editor.openTab();
@@ -52,7 +52,7 @@ for (const [what, remove] of /** @type {const} */ ([
   });
 }
 
-test("with a database of another version, a notice says that work is not saved, and editing continues", { tag: "@rare" }, async ({ visitor, page }) => {
+test("with a database of another version, a notice says that work is not saved, and editing continues", async ({ visitor, page }) => {
   await page.evaluate(() => new Promise((resolve) => (indexedDB.open("rosto", 2).onsuccess = ({ target }) => resolve(target.result.close()))));
   await visitor.dropSample();
   await expectNotSaved(visitor);
@@ -74,7 +74,7 @@ const DAMAGES = [
   (face, { order: _, ...done }) => [face, { ...done, edits: 7 }],
 ];
 
-test("damaged works do not hide an older one", { tag: "@rare" }, async ({ editor }) => {
+test("damaged works do not hide an older one", async ({ editor }) => {
   await editor.move("nose tip", "z", 9);
   const work = await editor.work();
   await untilSaved(editor.page);
@@ -86,7 +86,7 @@ test("damaged works do not hide an older one", { tag: "@rare" }, async ({ editor
   assert.equal((await next.notice()).code, "earlier-work");
 });
 
-test("if a file of the latest work cannot be read, the older work opens", { tag: "@rare" }, async ({ open }) => {
+test("if a file of the latest work cannot be read, the older work opens", async ({ open }) => {
   const { visitor, older } = await twoWorks(open);
   await visitor.page.evaluate(failRead);
   await visitor.resume();
@@ -97,7 +97,7 @@ for (const [what, block] of /** @type {const} */ ([
   ["blocks the database", blockDatabase],
   ["has an endless transaction", blockStores],
 ])) {
-  test(`while another tab ${what}, a notice says once that work is not saved, and later all of it is`, { tag: "@rare" }, async ({ open }) => {
+  test(`while another tab ${what}, a notice says once that work is not saved, and later all of it is`, async ({ open }) => {
     const visitor = await open({ hasClock: true });
     const { page } = visitor;
     await visitor.openFace();
@@ -126,7 +126,7 @@ for (const [what, block] of /** @type {const} */ ([
   });
 }
 
-test("work blocked by another tab is not reported as damaged", { tag: "@rare" }, async ({ open }) => {
+test("work blocked by another tab is not reported as damaged", async ({ open }) => {
   const { visitor, latest } = await twoWorks(open);
   const { page } = visitor;
   const other = await visitor.openTab();
@@ -140,7 +140,7 @@ test("work blocked by another tab is not reported as damaged", { tag: "@rare" },
   assert.deepEqual(await visitor.work(), latest);
 });
 
-test("work is saved and reopened even if locks do not respond", { tag: "@rare" }, async ({ open }) => {
+test("work is saved and reopened even if locks do not respond", async ({ open }) => {
   const visitor = await open({ hasClock: true, scripts: [muteLocks] });
   const { page } = visitor;
   await visitor.openFace();
@@ -153,7 +153,7 @@ test("work is saved and reopened even if locks do not respond", { tag: "@rare" }
   assert.deepEqual(await visitor.work(), work);
 });
 
-test("a lock that a busy browser grants late is used", { tag: "@rare" }, async ({ open }) => {
+test("a lock that a busy browser grants late is used", async ({ open }) => {
   const visitor = await open({ scripts: [delayLocks] });
   await visitor.openFace();
   await visitor.move("nose tip", "z", 9);
@@ -164,7 +164,7 @@ test("a lock that a busy browser grants late is used", { tag: "@rare" }, async (
   assert.deepEqual((await storedWorks(visitor.page)).map(({ isLocked }) => isLocked), [true]);
 });
 
-test("a lock that a busy browser ends late is not another tab's", { tag: "@rare" }, async ({ open }) => {
+test("a lock that a busy browser ends late is not another tab's", async ({ open }) => {
   const visitor = await open({ scripts: [endLocksLate] });
   await visitor.openFace();
   await openOther(visitor);
@@ -177,7 +177,7 @@ test("a lock that a busy browser ends late is not another tab's", { tag: "@rare"
   await expect.poll(async () => (await areLocked()).toSorted(), { timeout: 30_000 }).toEqual([false, true]);
 });
 
-test("the last saved work counts as the latest, regardless of clock changes", { tag: "@rare" }, async ({ open }) => {
+test("the last saved work counts as the latest, regardless of clock changes", async ({ open }) => {
   const first = await open();
   await first.openFace();
   await first.move("nose tip", "z", 9);

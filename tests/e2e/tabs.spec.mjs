@@ -4,7 +4,7 @@ import { test } from "./fixtures.mjs";
 import { chooseFace, openGroup, openOther } from "./groups.mjs";
 import { storedWorks, untilSaved } from "./storage.mjs";
 
-test("two tabs save separate works, and each restores its own face and edits", { tag: "@rare" }, async ({ editor: first, page }) => {
+test("two tabs save separate works, and each restores its own face and edits", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
   await untilSaved(page);
   const [kept] = await storedWorks(page);
@@ -31,7 +31,7 @@ test("two tabs save separate works, and each restores its own face and edits", {
   assert.deepEqual(await second.work(), others);
 });
 
-test("two new tabs offer the works of two closed ones, latest first, and make no copies", { tag: "@rare" }, async ({ editor: first, page }) => {
+test("two new tabs offer the works of two closed ones, latest first, and make no copies", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
   await untilSaved(page);
   const second = await first.openTab();
@@ -65,7 +65,7 @@ test("two new tabs offer the works of two closed ones, latest first, and make no
   for (const { slot, edits } of both) assert.deepEqual(now.find((one) => one.slot === slot)?.edits, edits);
 });
 
-test("a face edited in another tab is restored in the first tab as left there", { tag: "@rare" }, async ({ visitor: first, page }) => {
+test("a face edited in another tab is restored in the first tab as left there", async ({ visitor: first, page }) => {
   await openGroup(first);
   await first.move("nose tip", "z", 9);
   await untilSaved(page);
@@ -98,7 +98,7 @@ test("a face edited in another tab is restored in the first tab as left there", 
   }
 });
 
-test("work open in another tab is reported, or the next work opens", { tag: "@rare" }, async ({ editor: first, page }) => {
+test("work open in another tab is reported, or the next work opens", async ({ editor: first, page }) => {
   await first.move("nose tip", "z", 9);
   await untilSaved(page);
   await page.reload();

@@ -5,7 +5,7 @@ import { test } from "./fixtures.mjs";
 const TOAST_MS = 6000;
 
 for (const [width, height] of [[1280, 720], [390, 844], [844, 390]]) {
-  test(`at ${width}×${height} a download shows a short toast, announced once, that covers no tool`, { tag: "@rare" }, async ({ open }) => {
+  test(`at ${width}×${height} a download shows a short toast, announced once, that covers no tool`, async ({ open }) => {
     const visitor = await open({ viewport: { width, height } });
     const { page } = visitor;
     await visitor.openFace();

@@ -8,7 +8,7 @@ const LOWER_LIP = 17;
 
 test.use({ visit: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 } });
 
-test("on a phone, fingers turn, zoom, pan and drag", { tag: "@rare" }, async ({ editor, page }) => {
+test("on a phone, fingers turn, zoom, pan and drag", async ({ editor, page }) => {
   const send = await toucher(page);
   const at = await page.locator("#viewport").boundingBox();
   const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
@@ -54,7 +54,7 @@ test("on a phone, fingers turn, zoom, pan and drag", { tag: "@rare" }, async ({ 
   assert.ok(along[1] > 2 && Math.hypot(along[0], along[2]) < 1e-9, `it went by ${along}`);
 });
 
-test("on a phone a tap selects, a drag moves, and a second finger changes the influence radius", async ({ editor, page }) => {
+test("on a phone a tap selects, a drag moves, and a second finger changes the influence radius", { tag: "@usual" }, async ({ editor, page }) => {
   const send = await toucher(page);
   const lip = await editor.landmarkPosition(LOWER_LIP);
   await stroke(send, [lip], [lip]);
@@ -82,7 +82,7 @@ test("on a phone a tap selects, a drag moves, and a second finger changes the in
   assert.equal(await editor.selectedLandmark(), LOWER_LIP);
 });
 
-test("on a phone the bottom sheet leaves most of the face visible, without overlaps or horizontal scrolling", async ({ open }) => {
+test("on a phone the bottom sheet leaves most of the face visible, without overlaps or horizontal scrolling", { tag: "@usual" }, async ({ open }) => {
   const narrow = { width: 360, height: 740 };
   const visitor = await open({ viewport: narrow });
   const { page } = visitor;
@@ -106,7 +106,7 @@ test("on a phone the bottom sheet leaves most of the face visible, without overl
   }
 });
 
-test("on the photo, a pinch zooms about the fingers, two fingers pan, and a double tap fits", { tag: "@rare" }, async ({ editor, page }) => {
+test("on the photo, a pinch zooms about the fingers, two fingers pan, and a double tap fits", async ({ editor, page }) => {
   const send = await toucher(page);
   const nose = () => editor.landmarkPosition(NOSE_TIP);
   const scene = () => page.getAttribute("body", "data-scene");
@@ -146,7 +146,7 @@ test("on a phone, targets are at least 44 px large", async ({ editor }) => {
   }
 });
 
-test("the handle makes the sheet taller, by a press and by dragging", { tag: "@rare" }, async ({ editor, page }) => {
+test("the handle makes the sheet taller, by a press and by dragging", async ({ editor, page }) => {
   const height = async () => (await page.locator("#panel").boundingBox()).height;
   const before = await height();
   await page.click("#sheet-handle");

@@ -6,7 +6,7 @@ import { hookModule, trapIn } from "./page-scripts.mjs";
 
 test.use({ visit: { scripts: [hookModule] } });
 
-test("after a trap no code calls into the instance, and the next one gets the work", { tag: "@rare" }, async ({ editor, page }) => {
+test("after a trap no code calls into the instance, and the next one gets the work", async ({ editor, page }) => {
   await editor.untilLoaded();
   await editor.move("nose tip", "z", 9);
   await editor.meshJson("mm");

@@ -15,7 +15,7 @@ test.use({ visit: { expert: true } });
 const FOR_WEBGPU = "rosto-studio-web_bg.wasm";
 const FOR_WEBGL2 = "rosto-studio-webgl_bg.wasm";
 
-test("without a WebGPU adapter, the page works with WebGL2", { tag: "@webgl" }, async ({ visitor, page }) => {
+test("without a WebGPU adapter, the page works with WebGL2", { tag: ["@webgl", "@usual"] }, async ({ visitor, page }) => {
   assert.equal(await page.evaluate(async () => (await navigator.gpu?.requestAdapter()) ?? null), null);
   await visitor.untilLoaded();
   await page.click("#welcome [data-action='sample']");
@@ -40,7 +40,7 @@ test("without a WebGPU adapter, the page works with WebGL2", { tag: "@webgl" }, 
   assert.equal(picture.data[3], 0, "the picture is not transparent around the face");
 });
 
-test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives the command line's mesh", { tag: ["@webgl", "@rare"] }, async ({ open }) => {
+test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives the command line's mesh", { tag: "@webgl" }, async ({ open }) => {
   const visitor = await open({ scripts: ["delete Navigator.prototype.gpu"] });
   await visitor.dropSample();
   const asked = visitor.requests.map((url) => new URL(url).pathname.split("/").at(-1));
@@ -52,7 +52,7 @@ test("without navigator.gpu, only the WebGL2 module is downloaded, and it gives 
   assertSameMesh(await visitor.meshJson("mm"), await meshByCommandLine(SAMPLE, options));
 });
 
-test("with WebGPU, the WebGL2 module is not downloaded", { tag: "@rare" }, async ({ open }) => {
+test("with WebGPU, the WebGL2 module is not downloaded", async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   await visitor.untilLoaded();
   assert.equal(await contextKind(visitor.page), "webgpu");
@@ -61,7 +61,7 @@ test("with WebGPU, the WebGL2 module is not downloaded", { tag: "@rare" }, async
   assert.ok(await isStored(visitor.page, FOR_WEBGPU) && !(await isStored(visitor.page, FOR_WEBGL2)));
 });
 
-test("after the first visit, the page works offline with WebGL2", { tag: ["@webgl", "@rare"] }, async ({ open }) => {
+test("after the first visit, the page works offline with WebGL2", { tag: "@webgl" }, async ({ open }) => {
   const visitor = await open({ serviceWorkers: "allow" });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -74,7 +74,7 @@ test("after the first visit, the page works offline with WebGL2", { tag: ["@webg
   assert.ok(colourCount(await visitor.view()) > 40);
 });
 
-test("without WebGPU and WebGL2, a notice appears, and the photo shows the landmarks", { tag: "@no-gpu" }, async ({ visitor, page }) => {
+test("without WebGPU and WebGL2, a notice appears, and the photo shows the landmarks", { tag: ["@no-gpu", "@usual"] }, async ({ visitor, page }) => {
   const { code, text } = await visitor.notice();
   assert.equal(code, "no-webgl");
   assert.match(text, /can’t show 3D/);

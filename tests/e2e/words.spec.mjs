@@ -5,7 +5,7 @@ import { importParts } from "./parts.mjs";
 
 const pt = JSON.parse(await readFile(new URL("../../web/words/pt.json", import.meta.url), "utf8"));
 
-test("notices do not show the modules' English messages", { tag: "@rare" }, async ({ open }) => {
+test("notices do not show the modules' English messages", async ({ open }) => {
   const visitor = await open({ locale: "pt-BR" });
   const { page } = visitor;
   await visitor.untilLoaded();
@@ -24,7 +24,7 @@ test("notices do not show the modules' English messages", { tag: "@rare" }, asyn
   ]);
 });
 
-test("hints do not promise saved work if the browser does not save it", { tag: "@rare" }, async ({ visitor }) => {
+test("hints do not promise saved work if the browser does not save it", async ({ visitor }) => {
   await visitor.untilLoaded();
   const parts = await importParts(visitor.page, ["src/page/notice.ts"]);
   const hints = await parts.evaluate(({ setSavesWork, showError }) => {

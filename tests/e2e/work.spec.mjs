@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { expect } from "@playwright/test";
 import { test } from "./fixtures.mjs";
 
-test("work survives a reload, is offered again, and can move to another browser as a project", async ({ open }) => {
+test("work survives a reload, is offered again, and can move to another browser as a project", { tag: "@usual" }, async ({ open }) => {
   const first = await open();
   await first.dropSample();
   await first.move("nose tip", "z", 9);

@@ -12,7 +12,7 @@ import { crashBefore, recordWorkers } from "./page-scripts.mjs";
 
 const WORKER_MODULE = "**/rosto-vision-web_bg.wasm";
 
-test("the page draws and responds before the worker's module has loaded", { tag: ["@eyes", "@rare"] }, async ({ open }) => {
+test("the page draws and responds before the worker's module has loaded", { tag: "@eyes" }, async ({ open }) => {
   const { before, deliver } = delayFile(WORKER_MODULE);
   const visitor = await open({ before });
   await visitor.page.waitForSelector("body[data-host='open']");
@@ -45,7 +45,7 @@ test("a crashed worker restarts and leaves the work unchanged", async ({ visitor
   await visitor.dropSample();
 });
 
-test("a worker that does not load times out after a minute, and the next photo starts another one", { tag: "@rare" }, async ({ open }) => {
+test("a worker that does not load times out after a minute, and the next photo starts another one", async ({ open }) => {
   const visitor = await open({ hasClock: true, before: (context) => context.route(WORKER_MODULE, () => {}) });
   const { page, requests } = visitor;
   await page.waitForSelector("body[data-host='open']");
@@ -65,7 +65,7 @@ test("a worker that does not load times out after a minute, and the next photo s
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("a worker on a slow connection does not time out", { tag: "@rare" }, async ({ open, server }) => {
+test("a worker on a slow connection does not time out", async ({ open, server }) => {
   const module = await inVersion(path.basename(WORKER_MODULE));
   const bytes = await readFile(path.join(DIST, module));
   const piece_bytes = Math.ceil(bytes.length / 100);
@@ -97,7 +97,7 @@ test("a worker on a slow connection does not time out", { tag: "@rare" }, async 
   assert.ok(await page.isHidden("#notice"));
 });
 
-test("the progress bar shows the total progress and does not go back", { tag: "@rare" }, async ({ open }) => {
+test("the progress bar shows the total progress and does not go back", async ({ open }) => {
   const visitor = await open({ scripts: [recordWorkers] });
   for (let photo = 0; photo < 2; photo += 1) {
     await visitor.page.evaluate("workerProgress.length = 0");
