@@ -18,7 +18,5 @@ export default defineConfig({
   projects: [
     { name: "usual", testMatch: SPECS, grep: /@usual/ },
     { name: "rare", testMatch: SPECS, grepInvert: /@usual/ },
-    // Timings depend on other load.
-    { name: "timed", testMatch: "*.timed.mjs", workers: 1, retries: 0 },
   ],
 });

@@ -27,7 +27,6 @@ const CONSTANTS = {
     "200 px a second",
     "300 px a second",
   ],
-  "docs/benchmarks.md": ["more than 50 ms of processor time", "more than 16 ms"],
   "docs/fuzzing.md": ["more than 2 s", "more than 64 MB", "claimed 4.3 GB"],
   "docs/live-camera.md": ["about 33 ms per frame", "Above 67 ms"],
   "docs/texture.md": ["1.25 times brighter, 1.55 times darker, or 1.15 times redder"],
