@@ -3,6 +3,7 @@ use crate::need::Need::{Assets, Chromium, Engines, OldChromium, Page, Readers, W
 use crate::places::target;
 use crate::run::Run;
 use crate::rust::{CARGO_FUZZ, native_tests, over_the_workspace};
+use crate::setup::Kit;
 use crate::{page, python};
 use anyhow::Result;
 use std::time::{Duration, UNIX_EPOCH};
@@ -13,7 +14,7 @@ const FUZZ_SECONDS: u32 = 120;
 const MONKEY_LIMIT: Duration = Duration::from_secs(2 * 3600);
 
 /// Slow, downloaded or random checks, and those of the documentation.
-pub const NIGHT: [Step; 17] = [
+pub const NIGHT: [Step; 18] = [
     step("benches", "clippy on the benchmarks", &[Assets], |_| {
         Ok(over_the_workspace("clippy").words("--benches --keep-going -- -D warnings"))
     }),
@@ -55,15 +56,20 @@ pub const NIGHT: [Step; 17] = [
     step("engines", "page in Chromium, Firefox and WebKit with WebGL2", &[Page, Chromium, Engines], |kit| {
         Ok(kit.npm("engines"))
     }),
-    step("monkey", "2,000 random actions of each kind of visitor", &[Page, Chromium], |kit| {
-        Ok(kit.npm("monkey").args(["--", "--actions", "2000", "--seed", &seed()]).within(MONKEY_LIMIT))
-    }),
+    step("monkey:desktop", "2,000 random actions with a mouse", &[Page, Chromium], |kit| Ok(monkey(kit, "desktop"))),
+    step("monkey:phone", "2,000 random actions with a finger", &[Page, Chromium], |kit| Ok(monkey(kit, "phone"))),
 ];
 
 /// Days since 1970: other cases each day, and the same ones when a failure is repeated.
 fn seed() -> String {
     let since = UNIX_EPOCH.elapsed().unwrap_or_default();
     (since.as_secs() / DAY.as_secs()).to_string()
+}
+
+/// Random actions on the built page by one kind of visitor.
+fn monkey(kit: &Kit, visitor: &str) -> Run {
+    let monkey = kit.npm("monkey").args(["--", "--visitor", visitor, "--actions", "2000", "--seed", &seed()]);
+    monkey.within(MONKEY_LIMIT)
 }
 
 /// Coverage-guided fuzzing of one target, without a sanitizer, which would need an unstable compiler.
