@@ -22,11 +22,12 @@ EDITS = [
 
 @pytest.mark.parametrize(("edits", "flags"), EDITS)
 def test_files_equal_those_of_the_command_line(portrait, command_line, tmp_path, edits, flags):
+    made = rosto.mesh(portrait, edits)
     for name in ["face.glb", "face.obj", "face.json"]:
         theirs = tmp_path / f"theirs-{name}"
         theirs.mkdir()
         command_line("mesh", portrait, "-o", theirs / name, *flags)
-        ours = rosto.mesh(portrait, edits).save(tmp_path / name)
+        ours = made.save(tmp_path / name)
         assert {path.name for path in ours} == {path.name for path in theirs.iterdir()}
         assert all(path.read_bytes() == (theirs / path.name).read_bytes() for path in ours)
 
