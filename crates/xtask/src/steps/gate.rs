@@ -9,7 +9,7 @@ use crate::rust::{native_tests, over_the_workspace};
 const WASM_CODE: [&str; 3] = ["rosto-studio-web", "rosto-studio-webgl", "rosto-viewport"];
 
 /// Checks of everything that a change can break in the product, in order.
-pub const GATE: [Step; 15] = [
+pub const GATE: [Step; 16] = [
     early("format", "rustfmt", &[], |_| Ok(cargo("fmt --all --check"))),
     early("lint-js", "Biome on JavaScript", &[], |kit| Ok(kit.npm("lint"))),
     early("prose", "plain English in docs, comments, names and words", &[], |kit| Ok(kit.npm("prose"))),
@@ -30,6 +30,11 @@ pub const GATE: [Step; 15] = [
     step("lint-wasm", "clippy on wasm32", &[Page], |kit| {
         let clippy = kit.run("cargo").words("clippy --lib --tests --locked --keep-going --target").arg(WASM);
         Ok(packages(clippy, WASM_CODE).words("-- -D warnings"))
+    }),
+    // Trunk builds one module after the other, which leaves a core idle.
+    step("modules", "modules of page and worker", &[Page], |kit| {
+        let build = kit.run("cargo").words("build --lib --locked --profile web --target").arg(WASM);
+        Ok(packages(build, ["rosto-studio-web", WORKER_MODULE]))
     }),
     step("dist", "build of the page", &[Page], |kit| Ok(page::trunk(kit).arg("build"))),
     step("size", "download size against its budget", &[Page], |kit| Ok(kit.npm("size"))),
