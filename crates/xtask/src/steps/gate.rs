@@ -18,8 +18,8 @@ pub const GATE: [Step; 16] = [
     early("lint", "clippy on the host, and the build of the native tests", &[Assets], |_| {
         Ok(over_the_workspace("build --lib --bins --tests --examples --keep-going"))
     }),
-    step("native", "native tests, without slow ones", &[Assets], |_| Ok(native_tests(false))),
-    step("examples", "examples in the documentation", &[Assets], |_| {
+    early("native", "native tests, without slow ones", &[Assets], |_| Ok(native_tests(false))),
+    early("examples", "examples in the documentation", &[Assets], |_| {
         Ok(over_the_workspace("test --doc").arg("--no-fail-fast"))
     }),
     step("python", "Python package", &[Assets, Python], |_| {
