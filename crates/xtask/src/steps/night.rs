@@ -2,7 +2,7 @@ use super::{Step, WEBGL_MODULE, cargo, in_chromium, packages, step, with_command
 use crate::need::Need::{Assets, Chromium, Engines, OldChromium, Page, Readers, WasmPack};
 use crate::places::target;
 use crate::run::Run;
-use crate::rust::{CARGO_FUZZ, native_tests, over_the_workspace};
+use crate::rust::{CARGO_FUZZ, compiled_by_clippy, native_tests, over_the_workspace};
 use crate::setup::Kit;
 use crate::{page, python};
 use anyhow::Result;
@@ -75,10 +75,8 @@ fn monkey(kit: &Kit, visitor: &str) -> Run {
 /// Coverage-guided fuzzing of one target, without a sanitizer, which would need an unstable compiler.
 fn fuzz(target: &str) -> Result<Run> {
     let program = CARGO_FUZZ.obtain()?.join("cargo-fuzz");
-    Run::new("cargo")
-        .words("run --quiet --package rosto-fuzz --example seeds tests/fuzz/corpus")
-        .log("seeds")
-        .checked()?;
+    let seeds = cargo("run --quiet --locked --package rosto-fuzz --example seeds tests/fuzz/corpus");
+    compiled_by_clippy(seeds).log("seeds").checked()?;
     let run = Run::new(program).words("run --fuzz-dir tests/fuzz --sanitizer none --features libfuzzer").arg(target);
     Ok(run.words(&format!("-- -timeout=10 -max_total_time={FUZZ_SECONDS} -seed={}", seed())))
 }
