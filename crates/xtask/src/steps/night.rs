@@ -78,5 +78,7 @@ fn fuzz(target: &str) -> Result<Run> {
     let seeds = cargo("run --quiet --locked --package rosto-fuzz --example seeds tests/fuzz/corpus");
     compiled_by_clippy(seeds).log("seeds").checked()?;
     let run = Run::new(program).words("run --fuzz-dir tests/fuzz --sanitizer none --features libfuzzer").arg(target);
+    // Optimising all crates once more would take minutes for each target.
+    let run = run.env("CARGO_PROFILE_RELEASE_LTO", "off");
     Ok(run.words(&format!("-- -timeout=10 -max_total_time={FUZZ_SECONDS} -seed={}", seed())))
 }
