@@ -199,15 +199,14 @@ fn a_body_is_measured_and_its_limits_are_reported() {
     let mut vision = vision();
     let opened = open(&mut vision, PORTRAIT).unwrap();
     let face = face(&opened);
-    let edited = || request(face, Some(EDITS));
-    let printed = vision.print(edited(), options(json!({"solid": "flat:60"}))).unwrap().unwrap();
+    let printed = vision.print(request(face, None), options(json!({"solid": "flat:60"}))).unwrap().unwrap();
     let printed: JsValue = printed.into();
     let length = |name: &str| Reflect::get(&Reflect::get(&printed, &name.into()).unwrap(), &"length".into()).unwrap();
-    assert!(length("positionsM") == length("colours") && length("triangles").as_f64().unwrap() > 20_000.0);
+    assert!(length("positionsM") == length("colours") && length("triangles").as_f64().unwrap() > 80_000.0);
     let facts = value(&Reflect::get(&printed, &"facts".into()).unwrap());
     assert!(facts["volumeCm3"].as_f64().unwrap() > 50.0 && facts["plaGrams"].as_f64().unwrap() > 60.0, "{facts}");
-    assert!(vision.print(edited(), options(json!({"solid": "surface"}))).unwrap().is_none());
-    let thick = vision.print(edited(), options(json!({"solid": "thickness:50"}))).err().unwrap();
+    assert!(vision.print(request(face, None), options(json!({"solid": "surface"}))).unwrap().is_none());
+    let thick = vision.print(request(face, None), options(json!({"solid": "thickness:50"}))).err().unwrap();
     assert_eq!(property(&thick, "code"), "too-thick");
     assert!(Reflect::get(&thick, &"maxMm".into()).unwrap().as_f64().unwrap() < 50.0);
 }
