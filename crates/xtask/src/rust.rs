@@ -171,8 +171,8 @@ pub fn over_the_workspace(command: &str) -> Run {
     compiled_by_clippy(Run::new("cargo").words(command).words("--workspace --exclude rosto-studio-web* --locked"))
 }
 
-/// Clippy compiles the workspace's crates with its lints, and denies warnings. One build is checked and tested, and
-/// dependencies are compiled once.
+/// Lets clippy compile the workspace's crates and deny warnings: one build is linted and tested, with one build of the
+/// dependencies. Only for tests, because clippy switches some optimisations off.
 pub fn compiled_by_clippy(cargo: Run) -> Run {
     cargo.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver").env("CLIPPY_ARGS", "-Dwarnings")
 }
