@@ -140,9 +140,9 @@ pub fn last_lines(text: &str, count: usize) -> String {
 pub fn announced<T>(what: &str, why: &str, work: impl FnOnce() -> Result<T>) -> Result<T> {
     println!("▸ {what} ({why})");
     let started = Instant::now();
-    let done = work().with_context(|| format!("{what} failed"))?;
-    println!("  ✓ {what}, {}", elapsed(started.elapsed()));
-    Ok(done)
+    let done = work().with_context(|| format!("{what} failed"));
+    println!("  {} {what}, {}", if done.is_ok() { '✓' } else { '✗' }, elapsed(started.elapsed()));
+    done
 }
 
 /// An error and its causes, one per line, without a backtrace.

@@ -37,7 +37,7 @@ const fn step(name: &'static str, what: &'static str, needs: &'static [Need], pr
     Step { name, what, needs, is_early: false, program }
 }
 
-/// A step that needs no tools, and has no limits of time.
+/// A step that needs no tools, and passes while they compile.
 const fn early(name: &'static str, what: &'static str, needs: &'static [Need], program: Program) -> Step {
     Step { name, what, needs, is_early: true, program }
 }

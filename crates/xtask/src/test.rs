@@ -60,10 +60,11 @@ fn perform(steps: &[&Step], mut done: impl FnMut(Outcome) -> Result<()>) -> Resu
     let (early, others): (Vec<&Step>, Vec<&Step>) = steps.iter().partition(|step| step.is_early);
     let needs: Vec<Need> = steps.iter().flat_map(|step| step.needs).copied().collect();
     rust::components()?;
-    assets::node()?;
+    // Without needs, npm packages suffice.
+    let files = if needs.is_empty() { assets::npm } else { assets::obtain };
     let kit = thread::scope(|scope| -> Result<Kit> {
         let kit = scope.spawn(|| if others.is_empty() { Ok(Kit::default()) } else { setup::obtain(&needs) });
-        if others.is_empty() && !needs.contains(&Need::Assets) { assets::npm() } else { assets::obtain() }?;
+        files()?;
         for step in early {
             done(step.run(&Kit::default()))?;
         }
