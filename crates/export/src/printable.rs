@@ -60,9 +60,14 @@ impl PrintedBody {
 /// Largest relative difference from the chosen height.
 const MAX_HEIGHT_ERROR: f64 = 0.001;
 
+/// Places of a body are rounded to a tenth of a micrometre. Solvers differ between machines in the last bits, of which the
+/// separation of crossing triangles would make fractions of a millimetre.
+const ROUNDED_M: f64 = 1e-7;
+
 /// Closes the surface of a scaled model.
 fn closed(model: &Model<'_>, scale: DVec3, closing: Closing) -> Result<Body, ExportError> {
-    let scaled = |positions_m: &[DVec3]| positions_m.iter().map(|position| *position * scale).collect::<Vec<_>>();
+    let rounded = |position: &DVec3| (*position * scale / ROUNDED_M).round() * ROUNDED_M;
+    let scaled = |positions_m: &[DVec3]| positions_m.iter().map(rounded).collect::<Vec<_>>();
     let (positions_m, smoothed_m) = (scaled(model.positions_m), model.smoothed_m.map(scaled));
     let surface = Surface::new(model.topology, &positions_m).map_err(rosto_solid::SolidError::from)?;
     Ok(Body::closed_or_smoothed(surface, smoothed_m.as_ref().unwrap_or(&positions_m), closing)?)
