@@ -6,10 +6,12 @@ use fs_err as fs;
 use std::ffi::OsStr;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 const POLL: Duration = Duration::from_millis(50);
+/// Time that a program has to end at its limit.
+const GRACE: Duration = Duration::from_secs(20);
 const PROGRESS: Duration = Duration::from_secs(15);
 const SHOWN_CHARACTERS: usize = 100;
 const SHOWN_LINES: usize = 40;
@@ -113,11 +115,24 @@ impl Run {
             }
             std::thread::sleep(POLL);
         }
-        child.kill()?;
-        child.wait()?;
+        stop(&mut child)?;
         println!("    stopped {} at its time limit of {}", self.name, elapsed(self.limit));
         Ok(false)
     }
+}
+
+/// Asks a program to end its own programs and itself, as npm does with a browser test, before it is killed.
+fn stop(child: &mut Child) -> Result<()> {
+    let id = child.id().to_string();
+    if Command::new("kill").arg(&id).status().is_ok_and(|asked| asked.success()) {
+        let asked = Instant::now();
+        while asked.elapsed() < GRACE && child.try_wait()?.is_none() {
+            std::thread::sleep(POLL);
+        }
+    }
+    child.kill()?;
+    child.wait()?;
+    Ok(())
 }
 
 impl Ended {

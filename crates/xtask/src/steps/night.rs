@@ -14,7 +14,7 @@ const FUZZ_SECONDS: u32 = 120;
 const MONKEY_LIMIT: Duration = Duration::from_secs(2 * 3600);
 
 /// Slow, downloaded or random checks, and those of the documentation.
-pub const NIGHT: [Step; 18] = [
+pub const NIGHT: [Step; 19] = [
     step("benches", "clippy on the benchmarks", &[Assets], |_| {
         Ok(over_the_workspace("clippy").words("--benches --keep-going -- -D warnings"))
     }),
@@ -46,9 +46,8 @@ pub const NIGHT: [Step; 18] = [
     step("readers", "exported files in other programs", &[Page, Chromium, Readers], |kit| {
         with_command_line(kit.npm("readers"))
     }),
-    step("rare", "rare end-to-end tests in headless Chromium", &[Page, Chromium], |kit| {
-        with_command_line(kit.npm("e2e:rare"))
-    }),
+    step("rare:1", "rare end-to-end tests in headless Chromium", &[Page, Chromium], |kit| rare(kit, 1)),
+    step("rare:2", "the other half of them", &[Page, Chromium], |kit| rare(kit, 2)),
     step("oldest", "usual end-to-end tests in the oldest Chromium", &[Page, Chromium, OldChromium], |kit| {
         let oldest = kit.program("ROSTO_OLDEST_BROWSER")?;
         with_command_line(kit.npm("e2e").env("ROSTO_BROWSER", oldest))
@@ -59,6 +58,11 @@ pub const NIGHT: [Step; 18] = [
     step("monkey:desktop", "2,000 random actions with a mouse", &[Page, Chromium], |kit| Ok(monkey(kit, "desktop"))),
     step("monkey:phone", "2,000 random actions with a finger", &[Page, Chromium], |kit| Ok(monkey(kit, "phone"))),
 ];
+
+/// Half of the rare end-to-end tests, so that a run can be continued in the middle.
+fn rare(kit: &Kit, half: u32) -> Result<Run> {
+    with_command_line(kit.npm("e2e:rare").args(["--".to_owned(), format!("--shard={half}/2")]))
+}
 
 /// Days since 1970: other cases each day, and the same ones when a failure is repeated.
 fn seed() -> String {
