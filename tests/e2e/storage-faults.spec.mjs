@@ -177,6 +177,20 @@ test("a lock that a busy browser ends late is not another tab's", async ({ open 
   await expect.poll(async () => (await areLocked()).toSorted(), { timeout: 30_000 }).toEqual([false, true]);
 });
 
+test("after a reload, this tab's work is offered although a busy browser still holds its lock", async ({ open }) => {
+  const visitor = await open({ scripts: [holdSlotBriefly] });
+  await openOther(visitor, "older.jpg");
+  await untilSaved(visitor.page);
+  await visitor.dropSample();
+  await visitor.move("nose tip", "z", 9);
+  const latest = await visitor.work();
+  await untilSaved(visitor.page, 2);
+  await visitor.page.reload();
+  await visitor.page.waitForSelector("#continue:not([hidden])");
+  await visitor.resume();
+  assert.deepEqual(await visitor.work(), latest);
+});
+
 test("the last saved work counts as the latest, regardless of clock changes", async ({ open }) => {
   const first = await open();
   await first.openFace();
@@ -290,6 +304,12 @@ function countAborts() {
     globalThis.aborts += 1;
     abort.call(this);
   };
+}
+
+/** Runs in the page: after a reload, its own slot is still held for a moment. */
+function holdSlotBriefly() {
+  const slot = sessionStorage.getItem("rosto.slot");
+  if (slot) navigator.locks.request(`rosto-slot-${slot}`, () => new Promise((resolve) => setTimeout(resolve, 900)));
 }
 
 /** Runs in the page: locks are held at once, but the page learns of it after its limit of a second. */

@@ -2,13 +2,17 @@ import { byId } from "../page/dom.ts";
 import { setSavesWork, showError, showRemark } from "../page/notice.ts";
 import { asPageError } from "../page/page-error.ts";
 import { attempt, TimeoutError } from "./database.ts";
-import { listSlots, prune } from "./slots.ts";
+import { isLocked, listSlots, prune } from "./slots.ts";
 import { StoredFace } from "./stored-face.ts";
 import type { Host } from "../viewport/host.ts";
 import type { Face } from "./face.ts";
 
 /** Debounce delay after an edit. While a page is left, edits are saved as a draft. */
 const SAVE_DELAY_MS = 200;
+
+/** Time in which a busy browser ends the locks of the page before a reload. */
+const LEAVING_MS = 1000;
+const POLL_MS = 50;
 
 /** Key in session storage, which survives a reload, of the slot that this tab has open. */
 const TAB_SLOT = "rosto.slot";
@@ -50,6 +54,7 @@ export class Autosave {
   /** Offers the work of the last visit: this tab's before a reload, or the latest that no tab has open. */
   async offer(open: (read: () => Promise<Face>) => Promise<void>) {
     const preferred = attempt(() => sessionStorage.getItem(TAB_SLOT)) ?? "";
+    await untilLeft(preferred);
     const [offered] = await this.#freeSlots(preferred).catch(() => []);
     if (offered === undefined || this.#now) return;
     const button = byId("continue", HTMLButtonElement);
@@ -140,6 +145,14 @@ export class Autosave {
       if (!this.#hasReported) showError({ code: "not-kept", message: String(error), hint: "" });
       this.#hasReported = true;
     }
+  }
+}
+
+/** Waits for the page before a reload, which may still hold this tab's slot, to leave it. */
+async function untilLeft(slot: string) {
+  const start_ms = performance.now();
+  while (slot !== "" && performance.now() - start_ms < LEAVING_MS && (await isLocked(slot))) {
+    await new Promise((resolve) => setTimeout(resolve, POLL_MS));
   }
 }
 

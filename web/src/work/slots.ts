@@ -146,10 +146,15 @@ export async function lockSlot(slot: string) {
     // The new lock follows once the browser has ended the earlier one.
     if ([...ownLocks.values()].includes(slot)) return releaseOnceGranted;
     controller.abort();
-    const isHeld = (await lockedAmong([slot])).has(slot);
+    const isHeld = await isLocked(slot);
     // A busy browser may have granted it after the limit.
     return own ?? (isHeld ? undefined : () => {});
   });
+}
+
+/** Whether a tab holds a slot; false if the browser does not answer. */
+export async function isLocked(slot: string) {
+  return (await lockedAmong([slot])).has(slot);
 }
 
 /** The slots that a tab holds, this one included; empty if the browser does not answer. */
