@@ -178,7 +178,7 @@ test("a lock that a busy browser ends late is not another tab's", async ({ open 
 });
 
 test("after a reload, this tab's work is offered although a busy browser still holds its lock", async ({ open }) => {
-  const visitor = await open({ scripts: [holdSlotBriefly] });
+  const visitor = await open({ scripts: [holdSlotUntilSeen] });
   await openOther(visitor, "older.jpg");
   await untilSaved(visitor.page);
   await visitor.dropSample();
@@ -306,10 +306,21 @@ function countAborts() {
   };
 }
 
-/** Runs in the page: after a reload, its own slot is still held for a moment. */
-function holdSlotBriefly() {
+/** Runs in the page: after a reload, the tab's slot is held until the page has seen that. */
+function holdSlotUntilSeen() {
   const slot = sessionStorage.getItem("rosto.slot");
-  if (slot) navigator.locks.request(`rosto-slot-${slot}`, () => new Promise((resolve) => setTimeout(resolve, 900)));
+  if (!slot) return;
+  const { locks } = navigator;
+  const query = locks.query.bind(locks);
+  const name = `rosto-slot-${slot}`;
+  const seen = new Promise((resolve) => {
+    locks.query = async () => {
+      const answer = await query();
+      if (answer.held?.some((lock) => lock.name === name)) resolve(undefined);
+      return answer;
+    };
+  });
+  locks.request(name, () => seen);
 }
 
 /** Runs in the page: locks are held at once, but the page learns of it after its limit of a second. */

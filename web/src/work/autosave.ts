@@ -2,7 +2,7 @@ import { byId } from "../page/dom.ts";
 import { setSavesWork, showError, showRemark } from "../page/notice.ts";
 import { asPageError } from "../page/page-error.ts";
 import { attempt, TimeoutError } from "./database.ts";
-import { isLocked, listSlots, prune } from "./slots.ts";
+import { isSlotLocked, listSlots, prune } from "./slots.ts";
 import { StoredFace } from "./stored-face.ts";
 import type { Host } from "../viewport/host.ts";
 import type { Face } from "./face.ts";
@@ -10,7 +10,7 @@ import type { Face } from "./face.ts";
 /** Debounce delay after an edit. While a page is left, edits are saved as a draft. */
 const SAVE_DELAY_MS = 200;
 
-/** Time in which a busy browser ends the locks of the page before a reload. */
+/** Longest wait, after a reload, for the end of the lock of the page before. */
 const LEAVING_MS = 1000;
 const POLL_MS = 50;
 
@@ -148,10 +148,10 @@ export class Autosave {
   }
 }
 
-/** Waits for the page before a reload, which may still hold this tab's slot, to leave it. */
+/** Waits until the slot is free: a busy browser may still hold it for the page before a reload. */
 async function untilLeft(slot: string) {
   const start_ms = performance.now();
-  while (slot !== "" && performance.now() - start_ms < LEAVING_MS && (await isLocked(slot))) {
+  while (slot !== "" && performance.now() - start_ms < LEAVING_MS && (await isSlotLocked(slot))) {
     await new Promise((resolve) => setTimeout(resolve, POLL_MS));
   }
 }

@@ -146,14 +146,14 @@ export async function lockSlot(slot: string) {
     // The new lock follows once the browser has ended the earlier one.
     if ([...ownLocks.values()].includes(slot)) return releaseOnceGranted;
     controller.abort();
-    const isHeld = await isLocked(slot);
+    const isHeld = await isSlotLocked(slot);
     // A busy browser may have granted it after the limit.
     return own ?? (isHeld ? undefined : () => {});
   });
 }
 
 /** Whether a tab holds a slot; false if the browser does not answer. */
-export async function isLocked(slot: string) {
+export async function isSlotLocked(slot: string) {
   return (await lockedAmong([slot])).has(slot);
 }
 
