@@ -60,8 +60,8 @@ impl PrintedBody {
 /// Largest relative difference from the chosen height.
 const MAX_HEIGHT_ERROR: f64 = 0.001;
 
-/// Places of a body are rounded to a tenth of a micrometre. Solvers differ between machines in the last bits, of which the
-/// separation of crossing triangles would make fractions of a millimetre.
+/// Grid to which the surface of a print is rounded. Solvers on different machines differ in the last bits, and the
+/// separation of crossing triangles would turn that into tenths of a millimetre.
 const ROUNDED_M: f64 = 1e-7;
 
 /// Closes the surface of a scaled model.
@@ -78,7 +78,8 @@ const CLAY: [u8; 3] = [0xc9, 0xbd, 0xb0];
 const AMBER: [u8; 3] = [0xf0, 0x9a, 0x14];
 
 impl Print {
-    /// Makes the body from a model; `None` for [`Solid::Surface`]. The model's eyes are carved.
+    /// Makes the body from a model; `None` for [`Solid::Surface`]. The model's eyes are carved. The surface is rounded to
+    /// 0.1 µm, so that each machine makes the same body.
     ///
     /// # Errors
     /// [`ExportError`] if a length does not match, a position is not finite, the mesh is empty, or the body cannot be
