@@ -10,8 +10,6 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 const POLL: Duration = Duration::from_millis(50);
-/// Time that a program has to end at its limit.
-const GRACE: Duration = Duration::from_secs(20);
 const PROGRESS: Duration = Duration::from_secs(15);
 const SHOWN_CHARACTERS: usize = 100;
 const SHOWN_LINES: usize = 40;
@@ -121,18 +119,30 @@ impl Run {
     }
 }
 
-/// Asks a program to end its own programs and itself, as npm does with a browser test, before it is killed.
+/// Kills a program and those that it started, such as npm's browsers. Without `ps` and `kill`, only the program itself.
 fn stop(child: &mut Child) -> Result<()> {
-    let id = child.id().to_string();
-    if Command::new("kill").arg(&id).status().is_ok_and(|asked| asked.success()) {
-        let asked = Instant::now();
-        while asked.elapsed() < GRACE && child.try_wait()?.is_none() {
-            std::thread::sleep(POLL);
-        }
-    }
+    let started = descendants(child.id());
     child.kill()?;
     child.wait()?;
+    if !started.is_empty() {
+        // Some end by themselves.
+        let _ = Command::new("kill").arg("-KILL").args(started).stderr(Stdio::null()).status();
+    }
     Ok(())
+}
+
+/// Ids of the programs that a program started, directly or not.
+fn descendants(of: u32) -> Vec<String> {
+    let listed = Command::new("ps").args(["-A", "-o", "pid=,ppid="]).stderr(Stdio::null()).output();
+    let listed = listed.map_or_else(|_| String::new(), |listed| String::from_utf8_lossy(&listed.stdout).into_owned());
+    let rows: Vec<(&str, &str)> = listed.lines().filter_map(|row| row.trim().split_once(char::is_whitespace)).collect();
+    let mut found = vec![of.to_string()];
+    let mut next = 0;
+    while let Some(parent) = found.get(next).cloned() {
+        found.extend(rows.iter().filter(|(_, of)| of.trim() == parent).map(|(id, _)| (*id).to_owned()));
+        next += 1;
+    }
+    found.split_off(1)
 }
 
 impl Ended {
@@ -191,4 +201,20 @@ fn last_line(log: &Path) -> String {
     let text = String::from_utf8_lossy(&bytes);
     let line = text.rsplit(['\n', '\r']).find(|line| !line.trim().is_empty()).unwrap_or_default();
     line.trim().chars().take(SHOWN_CHARACTERS).collect()
+}
+
+#[cfg(all(test, unix))]
+#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_at_its_limit_ends_with_those_that_it_started() {
+        let run = Run::new("sh").arg("-c").arg("sh -c 'sleep 600; true' & echo $!; wait").log("limit-test");
+        let ended = run.within(Duration::from_secs(1)).run().unwrap();
+        let ps = Command::new("ps").args(["-o", "stat=", "-p", ended.output.trim()]).output().unwrap();
+        let state = String::from_utf8(ps.stdout).unwrap();
+        // A killed program stays as a zombie until its new parent notices.
+        assert!(!ended.success && (state.is_empty() || state.starts_with('Z')), "{state}");
+    }
 }

@@ -46,8 +46,8 @@ pub const NIGHT: [Step; 19] = [
     step("readers", "exported files in other programs", &[Page, Chromium, Readers], |kit| {
         with_command_line(kit.npm("readers"))
     }),
-    step("rare:1", "rare end-to-end tests in headless Chromium", &[Page, Chromium], |kit| rare(kit, 1)),
-    step("rare:2", "the other half of them", &[Page, Chromium], |kit| rare(kit, 2)),
+    step("rare:1", "first half of the rare end-to-end tests", &[Page, Chromium], |kit| rare(kit, 1)),
+    step("rare:2", "second half of the rare end-to-end tests", &[Page, Chromium], |kit| rare(kit, 2)),
     step("oldest", "usual end-to-end tests in the oldest Chromium", &[Page, Chromium, OldChromium], |kit| {
         let oldest = kit.program("ROSTO_OLDEST_BROWSER")?;
         with_command_line(kit.npm("e2e").env("ROSTO_BROWSER", oldest))
