@@ -29,6 +29,8 @@ export function setUpTabs() {
     section.querySelector<HTMLElement>("input:checked")?.focus();
   });
   SMALL.addEventListener("change", placeSettings);
+  // Chromium does not report that the query's result changed with the browser's font size.
+  new ResizeObserver(placeSettings).observe(byId("panel-foot", HTMLElement));
   placeSettings();
 }
 
@@ -69,8 +71,10 @@ function choose(chosen: HTMLButtonElement) {
 /** Puts language and theme into the panel's head; in small windows, at the panel's end. */
 function placeSettings() {
   const settings = byId("page-settings", HTMLDivElement);
-  if (SMALL.matches) byId("panel-foot", HTMLElement).prepend(settings);
-  else byId("panel-head", HTMLElement).append(settings);
+  const place = byId(SMALL.matches ? "panel-foot" : "panel-head", HTMLElement);
+  if (settings.parentElement === place) return;
+  if (SMALL.matches) place.prepend(settings);
+  else place.append(settings);
 }
 
 function allTabs() {
