@@ -41,7 +41,9 @@ export function installMonkey() {
   const choose = (select, share) => {
     // Software rendering is slow on dense meshes, so choose them rarely.
     const place = select.id === "density" ? share ** 6 : share;
-    set(select, "selectedIndex", Math.floor(place * select.length));
+    // A placeholder is hidden.
+    const options = [...select.options].filter(({ hidden }) => !hidden);
+    set(select, "value", options[Math.floor(place * options.length)].value);
   };
 
   window["monkey"] = {
